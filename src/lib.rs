@@ -1,0 +1,11 @@
+//! A robust float engine for Minkowski sums of planar regions bounded by line and circle segments, after Milenkovic and
+//! Sacks, *Two approximate Minkowski sum algorithms* (MS in the docs).
+//!
+//! Data flows one way: a [`region::Region`] is normalised to a [`smooth::Smooth`] region in the unit box, two of these are
+//! convolved to [`piece::Pieces`], the pieces are arranged, and the cells of nonzero winding number are extracted as a
+//! region again.
+
+pub mod angle;
+pub mod piece;
+pub mod region;
+pub mod smooth;
