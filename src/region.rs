@@ -2,6 +2,8 @@
 //!
 //! A [`Region`] is plain data. It says nothing about validity: [`crate::validate`] does.
 
+use serde::{Deserialize, Serialize};
+
 /// How the boundary runs from one vertex to the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Curve {
@@ -15,7 +17,8 @@ pub enum Curve {
 }
 
 /// A vertex, in input units, and the curve that leaves it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "NodeRepr", into = "NodeRepr")]
 pub struct Node {
     /// Abscissa.
     pub x: f64,
@@ -29,13 +32,15 @@ pub struct Node {
 ///
 /// The last vertex of a loop is joined to the first. With `unbounded` the set also contains everything far away,
 /// as complements do.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Region {
     /// A name for people; not part of the shape.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
     /// The boundary, in any order.
     pub loops: Vec<Vec<Node>>,
     /// Whether the region contains all points far away.
+    #[serde(default)]
     pub unbounded: bool,
 }
 
@@ -101,4 +106,40 @@ fn reversed(nodes: &[Node]) -> Vec<Node> {
     let n = nodes.len();
     // Walking backwards, the curve that leaves vertex i is the one that entered it.
     (0..n).rev().map(|i| Node { curve: nodes[(i + n - 1) % n].curve.reversed(), ..nodes[i] }).collect()
+}
+
+/// A vertex as the JSON format has it: `bulge` or `radius`, or neither for a line.
+#[derive(Serialize, Deserialize)]
+struct NodeRepr {
+    x: f64,
+    y: f64,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    bulge: Option<f64>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    radius: Option<f64>,
+}
+
+impl TryFrom<NodeRepr> for Node {
+    type Error = &'static str;
+
+    fn try_from(repr: NodeRepr) -> Result<Self, Self::Error> {
+        let curve = match (repr.bulge, repr.radius) {
+            (Some(_), Some(_)) => return Err("a vertex has both a bulge and a radius"),
+            (Some(bulge), None) if bulge != 0.0 => Curve::Bulge(bulge),
+            (None, Some(radius)) if radius != 0.0 => Curve::Radius(radius),
+            _ => Curve::Line,
+        };
+        Ok(Self { x: repr.x, y: repr.y, curve })
+    }
+}
+
+impl From<Node> for NodeRepr {
+    fn from(node: Node) -> Self {
+        let (bulge, radius) = match node.curve {
+            Curve::Line => (None, None),
+            Curve::Radius(r) => (None, Some(r)),
+            Curve::Bulge(b) => (Some(b), None),
+        };
+        Self { x: node.x, y: node.y, bulge, radius }
+    }
 }

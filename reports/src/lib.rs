@@ -1,1 +1,3 @@
-//! The harness.
+//! The harness of arcsum: cases, engines under test, measurements, and the pages and tables they end in.
+
+pub mod row;

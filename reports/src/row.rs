@@ -1,0 +1,120 @@
+//! One measured case: a row of `results.csv`, and the record from which its picture is drawn.
+//!
+//! A report is made from these two alone. Columns that were not measured are empty, never zero.
+
+use arcsum::region::Region;
+use serde::{Deserialize, Serialize};
+
+/// What became of an engine on a case.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Status {
+    /// An answer, measured and certified.
+    Ok,
+    /// The engine panicked, aborted or ran out of memory.
+    Crashed,
+    /// The engine did not answer in its time.
+    Timeout,
+    /// The engine answered something that is no region, or refused the case.
+    Invalid,
+    /// An answer whose error has no certificate, or none tight enough to call.
+    Undecided,
+}
+
+/// A row of `results.csv`. Lengths are in unit-box lengths, times in milliseconds.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Row {
+    /// The case, unique within a run together with the engine.
+    pub case: String,
+    /// The family or folder the case belongs to.
+    pub family: String,
+    /// The engine under test.
+    pub engine: String,
+    /// Its version.
+    pub engine_version: String,
+    /// What became of it.
+    pub status: Status,
+    /// The seed the case was made from; empty for cases from files.
+    pub seed: Option<u64>,
+    /// Certified lower bound of the region Hausdorff distance to the exact sum.
+    pub mu_lo: Option<f64>,
+    /// Certified upper bound of it.
+    pub mu_hi: Option<f64>,
+    /// -log2(mu_hi); `inf` when the result is exact.
+    pub bits: Option<f64>,
+    /// Which way `mu_lo` is attained: `result` (a point of the result far from the sum) or `sum`.
+    pub direction: Option<String>,
+    /// Abscissa of the point that attains `mu_lo`, in input units.
+    pub worst_x: Option<f64>,
+    /// Ordinate of it.
+    pub worst_y: Option<f64>,
+    /// `mu` against the sum of the realizations: lower bound.
+    pub mu_realized_lo: Option<f64>,
+    /// Upper bound.
+    pub mu_realized_hi: Option<f64>,
+    /// Greatest inradius of the intersection at tested free points.
+    pub rho: Option<f64>,
+    /// Penetration depth at the same points.
+    pub pd: Option<f64>,
+    /// Milenkovic and Sacks' trapezoid number.
+    pub trap: Option<f64>,
+    /// Tested free points with rho > mu.
+    pub falsely_free: Option<u64>,
+    /// Segments of A.
+    pub n: u64,
+    /// Segments of B.
+    pub m: u64,
+    /// Segments of the convolution.
+    pub sums: Option<u64>,
+    /// Vertices of the arrangement.
+    #[serde(rename = "V")]
+    pub vertices: Option<u64>,
+    /// Crossings the module reports over all pairs (audit only).
+    #[serde(rename = "N")]
+    pub crossings: Option<u64>,
+    /// Cyclic triples (audit only).
+    pub k: Option<u64>,
+    /// Late swaps.
+    pub late: Option<u64>,
+    /// Gather swaps.
+    pub gather: Option<u64>,
+    /// Cancelled swaps.
+    pub cancelled: Option<u64>,
+    /// Cells of the arrangement.
+    pub cells: Option<u64>,
+    /// Bubbles.
+    pub bubbles: Option<u64>,
+    /// Cracks.
+    pub cracks: Option<u64>,
+    /// Segments of the result.
+    pub result_segments: Option<u64>,
+    /// Loops of the result.
+    pub result_loops: Option<u64>,
+    /// Loops of the reference.
+    pub exact_loops: Option<u64>,
+    /// Failed checks by name, separated by spaces; `none` when all held.
+    pub failed_checks: Option<String>,
+    /// Time of the convolution.
+    pub t_convolution: Option<f64>,
+    /// Time of the arrangement.
+    pub t_arrangement: Option<f64>,
+    /// Time of the extraction.
+    pub t_extraction: Option<f64>,
+    /// One sentence: why the status is not ok, or why the bits fall short.
+    pub note: String,
+}
+
+/// What a picture needs: the file `cases/<number>.json` of an output folder, one a row.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Record {
+    /// The row.
+    pub row: Row,
+    /// First operand, in input units.
+    pub a: Region,
+    /// Second operand.
+    pub b: Region,
+    /// What the engine answered.
+    pub result: Option<Region>,
+    /// The convolution as `[x0, y0, x1, y1, bulge]` in input units, empty where the engine has none to show.
+    pub convolution: Vec<[f64; 5]>,
+}
