@@ -8,8 +8,9 @@ use crate::cases::Case;
 use crate::cases::source::collect;
 use crate::environment::{Environment, processors};
 use crate::run::folder::{Folder, write_json};
+use crate::run::journal::JournalError;
 use crate::run::plan::Plan;
-use crate::run::{Settings, Summary, run};
+use crate::run::{RunError, Settings, Summary, run};
 use clap::Args;
 
 /// Arguments of `arcsum verify`.
@@ -55,7 +56,10 @@ pub(super) fn measure(plan: &Plan, args: &RunArgs) -> Result<Summary, Failure> {
     let threads = args.threads.map_or_else(processors, usize::from);
     let program = std::env::current_exe().map_err(Failure::other)?;
     let settings = Settings { out: args.out.clone(), threads, limit: args.time_limit, resume: args.resume, program };
-    let summary = run(plan, &settings, interrupt::flag()?).map_err(Failure::other)?;
+    let summary = run(plan, &settings, interrupt::flag()?).map_err(|e| match e {
+        RunError::Journal(JournalError::OtherRun(_)) => Failure::input(e),
+        other => Failure::other(other),
+    })?;
     let folder = Folder::open(&args.out).map_err(Failure::other)?;
     let environment = Environment::of(plan, threads, args.seed, args.time_limit.as_secs_f64());
     write_json(&folder.path().join("environment.json"), &environment).map_err(Failure::other)?;
