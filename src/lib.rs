@@ -9,3 +9,5 @@ pub mod angle;
 pub mod piece;
 pub mod region;
 pub mod smooth;
+pub mod sum3;
+pub mod twofold;
