@@ -6,6 +6,7 @@
 //! region again.
 
 pub mod angle;
+pub mod arrangement;
 pub mod piece;
 pub mod region;
 pub mod smooth;
