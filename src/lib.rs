@@ -6,6 +6,8 @@
 //! region again.
 
 pub mod angle;
+pub mod arc;
+pub mod frame;
 pub mod piece;
 pub mod region;
 pub mod smooth;
