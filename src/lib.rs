@@ -6,7 +6,10 @@
 //! region again.
 
 pub mod angle;
+pub mod arc;
 pub mod arrangement;
+pub mod convolution;
+pub mod frame;
 pub mod piece;
 pub mod region;
 pub mod smooth;
