@@ -8,10 +8,13 @@
 pub mod angle;
 pub mod arc;
 pub mod arrangement;
+//pub mod boolean;
 pub mod convolution;
+pub mod extract;
 pub mod frame;
 pub mod piece;
 pub mod region;
 pub mod smooth;
+//pub mod sum;
 pub mod sum3;
 pub mod twofold;
