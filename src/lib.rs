@@ -8,8 +8,11 @@
 pub mod angle;
 pub mod arc;
 pub mod frame;
+mod joint;
+mod nesting;
 pub mod piece;
 pub mod region;
 pub mod smooth;
 pub mod sum3;
+mod turn;
 pub mod twofold;
