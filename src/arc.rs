@@ -18,10 +18,10 @@ const CHORD_SLACK: f64 = 16.0;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ArcError {
     /// A coordinate, radius or bulge is infinite or not a number, or their use overflows.
-    #[error("the circle segment is not finite")]
+    #[error("a coordinate, radius or bulge is not finite")]
     NotFinite,
     /// Tail and head coincide.
-    #[error("the ends of the circle segment coincide")]
+    #[error("the two ends coincide")]
     ZeroChord,
     /// The radius or bulge is zero.
     #[error("the circle segment has no curvature")]
@@ -136,6 +136,17 @@ impl Arc {
     pub fn minor(tail: DVec2, head: DVec2, a: Ang, b: Ang, clockwise: bool) -> Self {
         let delta = half_sweep(a, b, clockwise);
         Self { tail, head, a, b, delta, sine: libm::sin(delta) }
+    }
+
+    /// The same arc with its end angles changed a little. Beyond a half circle the half sweep and its sine stay, as they
+    /// are known better than the angles tell.
+    #[must_use]
+    pub(crate) fn turned(self, a: Ang, b: Ang) -> Self {
+        if self.delta.abs() > FRAC_PI_2 {
+            Self { a, b, ..self }
+        } else {
+            Self::minor(self.tail, self.head, a, b, self.sine < 0.0)
+        }
     }
 
     /// Tail.

@@ -38,3 +38,20 @@ pub fn square_terms((x, error): (f64, f64), scale: f64) -> [f64; 5] {
     let (m, m_low) = two_product(2.0 * x, error);
     [scale * p, scale * p_low, scale * m, scale * m_low, scale * (error * error)]
 }
+
+/// The sign of the exact sum of the terms: -1, 0 or 1.
+#[must_use]
+pub fn exact_sign(mut terms: Vec<f64>) -> f64 {
+    // Each pass of TwoSums keeps the sum and moves weight to the last term; when nothing moves any more, the terms no
+    // longer overlap and the last one outweighs the rest. As many passes as terms are enough.
+    for _ in 0..terms.len() {
+        let before = terms.clone();
+        for i in 1..terms.len() {
+            (terms[i], terms[i - 1]) = two_sum(terms[i], terms[i - 1]);
+        }
+        if terms == before {
+            break;
+        }
+    }
+    terms.last().map_or(0.0, |&last| if last == 0.0 { 0.0 } else { last.signum() })
+}
