@@ -6,6 +6,18 @@
 //! region again.
 
 pub mod angle;
+pub mod arc;
+pub mod arrangement;
+//pub mod boolean;
+pub mod convolution;
+pub mod extract;
+pub mod frame;
+mod joint;
+mod nesting;
 pub mod piece;
 pub mod region;
 pub mod smooth;
+//pub mod sum;
+pub mod sum3;
+mod turn;
+pub mod twofold;

@@ -1,1 +1,4 @@
-//! Shared inputs of the integration tests.
+//! Shared inputs and judges of the integration tests.
+
+pub mod liar;
+pub mod tangle;
