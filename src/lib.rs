@@ -6,8 +6,11 @@
 //! region again.
 
 pub mod angle;
+pub mod exact;
+pub mod format;
 pub mod piece;
 pub mod region;
 pub mod smooth;
 pub mod sum3;
 pub mod twofold;
+pub mod validate;
