@@ -20,7 +20,7 @@ pub mod piece;
 pub mod region;
 pub mod smooth;
 pub mod sum3;
-//pub mod sum;
+pub mod sum;
 mod turn;
 pub mod twofold;
 pub mod validate;

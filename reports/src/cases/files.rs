@@ -1,6 +1,6 @@
 //! Regions from files: read, checked, and turned away in one sentence when they are no regions.
 
-use crate::standin::{format, validate};
+use arcsum::format;
 use arcsum::region::Region;
 use std::path::Path;
 
@@ -17,9 +17,7 @@ const EXTENSIONS: [&str; 4] = ["json", "wkt", "dxf", "svg"];
 /// # Errors
 /// One sentence when the file cannot be read, is malformed, or its region is invalid.
 pub fn read(path: &Path) -> Result<Region, BadFile> {
-    let region = format::read_file(path).map_err(|e| BadFile(e.to_string()))?;
-    validate::validate(&region).map_err(|e| BadFile(format!("{}: {e}", path.display())))?;
-    Ok(region)
+    format::load(path).map_err(|e| BadFile(e.to_string()))
 }
 
 /// Whether the name of the file is that of a region file.

@@ -6,8 +6,8 @@
 
 use super::files::{BadFile, read};
 use super::{Case, Golden};
-use crate::standin::validate;
 use arcsum::region::Region;
+use arcsum::validate;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 

@@ -3,7 +3,8 @@
 use super::Failure;
 use crate::cases::files::read;
 use crate::engine::registry::engine;
-use crate::standin::format;
+use crate::run::folder::write_whole;
+use arcsum::format;
 use clap::Args;
 use std::io::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -40,8 +41,8 @@ pub fn sum(args: &SumArgs) -> Result<u8, Failure> {
     let answer = answer.map_err(|_| Failure::other(format!("{} panicked on this sum", args.engine)))?;
     let region = answer.map_err(|e| Failure::other(format!("{} gave no sum: {e}", args.engine)))?.region;
     match &args.output {
-        Some(file) => format::write_file(file, &region).map_err(Failure::other)?,
-        None => writeln!(std::io::stdout(), "{}", format::to_json(&region)).map_err(Failure::other)?,
+        Some(file) => write_whole(file, format::json::write(&region).as_bytes()).map_err(Failure::other)?,
+        None => writeln!(std::io::stdout(), "{}", format::json::write(&region).trim_end()).map_err(Failure::other)?,
     }
     Ok(0)
 }

@@ -1,8 +1,8 @@
 //! The engine of this project: the kinetic convolution and the approximate arrangement (MS 3, 4) with default options.
 
 use super::{Abilities, Answer, Counters, Engine, EngineError, Times};
-use crate::standin::sum::{self, Audit, Options};
 use arcsum::region::Region;
+use arcsum::sum::{Options, Sum, sum};
 
 /// The engine `kinetic`.
 #[derive(Debug, Default)]
@@ -22,33 +22,36 @@ impl Engine for Kinetic {
     }
 
     fn sum(&mut self, a: &Region, b: &Region) -> Result<Answer, EngineError> {
-        let sum = sum::sum(a, b, &Options::default()).map_err(|e| EngineError::Invalid(e.to_string()))?;
+        let sum = sum(a, b, &Options::default()).map_err(|e| EngineError::Invalid(e.to_string()))?;
         Ok(Answer {
-            region: sum.region,
-            counters: counters(&sum.audit),
+            counters: counters(&sum),
             times: Times {
                 convolution: Some(sum.times.convolution),
                 arrangement: Some(sum.times.arrangement),
                 extraction: Some(sum.times.extraction),
             },
-            convolution: sum.convolution,
-            failed_checks: Some(failed(&sum.audit)),
+            convolution: sum.convolution_in_input_units(),
+            failed_checks: Some(failed(&sum)),
+            region: sum.region,
         })
     }
 }
 
-fn counters(audit: &Audit) -> Counters {
+fn counters(sum: &Sum) -> Counters {
+    let count = |n: usize| Some(n as u64);
     Counters {
-        sums: Some(audit.sums as u64),
-        vertices: Some(audit.vertices as u64),
-        late: Some(audit.late as u64),
-        gather: Some(audit.gather as u64),
-        cells: Some(audit.faces as u64),
+        sums: count(sum.convolution.pieces.len()),
+        vertices: count(sum.audit.vertices),
+        late: count(sum.audit.late),
+        gather: count(sum.audit.gather),
+        cells: count(sum.euler.faces),
         ..Counters::default()
     }
 }
 
-fn failed(audit: &Audit) -> Vec<String> {
-    let checks = [("euler", audit.euler_ok), ("winding", audit.winding_ok)];
+/// Euler's formula, winding numbers that agree along every edge, and none below zero, which the fill rule excludes.
+fn failed(sum: &Sum) -> Vec<String> {
+    let checks =
+        [("euler", sum.euler.holds()), ("winding", sum.winding_conflicts == 0), ("negative", sum.negative_cells == 0)];
     checks.into_iter().filter(|(_, held)| !held).map(|(name, _)| name.to_owned()).collect()
 }

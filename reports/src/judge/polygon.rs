@@ -5,17 +5,18 @@ use crate::bridge::{plain, unit};
 use crate::cases::Case;
 use crate::engine::Answer;
 use crate::row::Status;
-use crate::standin::oracle::{self, Bracket, Exact};
+use crate::standin::oracle;
+use arcsum_oracle::polygon;
 
 /// Judges the answer to a case of two polygons.
 pub(super) fn judge(case: &Case, answer: &Answer) -> Judgement {
-    let exact = match oracle::sum(&plain(&case.a), &plain(&case.b)) {
+    let exact = match polygon::sum(&plain(&case.a), &plain(&case.b)) {
         Ok(exact) => exact,
         Err(e) => return Judgement::undecided(e.to_string()),
     };
     let unit = unit(&case.a, &case.b);
     let bracket = oracle::hausdorff(&plain(&answer.region), &exact, unit);
-    let loops = exact.loops.len();
+    let loops = exact.loops().len();
     let differ = answer.region.loops.len() != loops;
     Judgement {
         status: if bracket.hi.is_finite() { Status::Ok } else { Status::Undecided },
@@ -24,11 +25,6 @@ pub(super) fn judge(case: &Case, answer: &Answer) -> Judgement {
         witness: Some(bracket.witness),
         exact_loops: Some(loops as u64),
         failed_checks: if differ { vec!["loops".into()] } else { Vec::new() },
-        note: note(case, answer, &exact, &bracket, unit),
+        note: why::short_bits(case, answer, loops, bracket.hi, unit),
     }
-}
-
-/// Why the bits fall short, if they do.
-fn note(case: &Case, answer: &Answer, exact: &Exact, bracket: &Bracket, unit: f64) -> String {
-    why::short_bits(case, answer, exact.loops.len(), bracket.hi, unit)
 }

@@ -1,7 +1,7 @@
 //! Checks of a result that need no reference.
 
-use crate::standin::validate;
 use arcsum::region::{Curve, Region};
+use arcsum::validate;
 
 /// Why this is no region at all: a number that is not finite, or a loop that bounds nothing.
 #[must_use]

@@ -124,8 +124,11 @@ pub fn write_json(file: &Path, value: &impl Serialize) -> Result<(), FolderError
     write_whole(file, &bytes)
 }
 
-/// Whoever reads the file meanwhile sees the old or the new one, never a part.
-fn write_whole(file: &Path, bytes: &[u8]) -> Result<(), FolderError> {
+/// Writes a file; whoever reads it meanwhile sees the old or the new one, never a part.
+///
+/// # Errors
+/// When it cannot be written.
+pub fn write_whole(file: &Path, bytes: &[u8]) -> Result<(), FolderError> {
     let draft = file.with_extension("part");
     let written = std::fs::write(&draft, bytes).and_then(|()| std::fs::rename(&draft, file));
     written.map_err(|e| FolderError::new(file, &e))
