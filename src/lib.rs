@@ -8,7 +8,7 @@
 pub mod angle;
 pub mod arc;
 pub mod arrangement;
-//pub mod boolean;
+pub mod boolean;
 pub mod convolution;
 pub mod extract;
 pub mod frame;
@@ -17,7 +17,7 @@ mod nesting;
 pub mod piece;
 pub mod region;
 pub mod smooth;
-//pub mod sum;
+pub mod sum;
 pub mod sum3;
 mod turn;
 pub mod twofold;
