@@ -8,7 +8,7 @@
 pub mod angle;
 pub mod arc;
 pub mod arrangement;
-//pub mod boolean;
+pub mod boolean;
 pub mod convolution;
 pub mod exact;
 pub mod extract;
@@ -19,8 +19,8 @@ mod nesting;
 pub mod piece;
 pub mod region;
 pub mod smooth;
-pub mod sum3;
 pub mod sum;
+pub mod sum3;
 mod turn;
 pub mod twofold;
 pub mod validate;

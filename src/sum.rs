@@ -1,7 +1,5 @@
 //! The approximate Minkowski sum: normalise, convolve, arrange, extract (MS 4, with the kinetic convolution).
 
-use crate::arrangement::audit::Audit;
-use crate::arrangement::graph::Euler;
 use crate::arrangement::{Arrangement, arrange};
 use crate::convolution::kinetic;
 use crate::extract::{outline, region};
@@ -39,14 +37,8 @@ pub struct Sum {
     pub convolution: Pieces,
     /// The frames of the two operands.
     pub frames: (Frame, Frame),
-    /// What the sweep did.
-    pub audit: Audit,
-    /// Euler's formula for the arrangement.
-    pub euler: Euler,
-    /// Failed assertions on winding numbers; always 0 unless the sweep is wrong.
-    pub winding_conflicts: usize,
-    /// Cells of negative winding number, which the sum takes in as MS 4 does.
-    pub negative_cells: usize,
+    /// The arrangement of the convolution.
+    pub arrangement: Arrangement,
     /// Time of each stage.
     pub times: Times,
 }
@@ -84,24 +76,16 @@ pub fn sum(a: &Region, b: &Region, options: &Options) -> Result<Sum, SumError> {
     let region = region(&loops, convolution.base[0] != 0 || plane, |p| frames.0.sum_to_input(&frames.1, p));
     let times =
         Times { convolution: convolved - start, arrangement: arranged - convolved, extraction: arranged.elapsed() };
-    Ok(report(region, convolution, frames, &arrangement, times))
-}
-
-fn report(region: Region, convolution: Pieces, frames: (Frame, Frame), arrangement: &Arrangement, times: Times) -> Sum {
-    let graph = &arrangement.graph;
-    Sum {
-        region,
-        convolution,
-        frames,
-        audit: arrangement.audit,
-        euler: graph.euler(),
-        winding_conflicts: graph.winding_conflicts,
-        negative_cells: graph.windings.iter().filter(|w| w[0] < 0).count(),
-        times,
-    }
+    Ok(Sum { region, convolution, frames, arrangement, times })
 }
 
 impl Sum {
+    /// Cells of negative winding number. The sum takes them in, as MS 4 does; there are none in exact arithmetic.
+    #[must_use]
+    pub fn negative_cells(&self) -> usize {
+        self.arrangement.graph.windings.iter().filter(|w| w[0] < 0).count()
+    }
+
     /// The convolution in input units, each segment as x0, y0, x1, y1 and its bulge.
     #[must_use]
     pub fn convolution_in_input_units(&self) -> Vec<[f64; 5]> {

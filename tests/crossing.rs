@@ -7,8 +7,9 @@ use arcsum::arrangement::curve::{Curve, compare};
 use arcsum::piece::{Piece, Source};
 use glam::DVec2;
 use proptest::prelude::*;
-use proptest::strategy::ValueTree;
+use proptest::test_runner::TestRunner;
 use rug::{Assign, Float};
+use std::f64::consts::FRAC_PI_2;
 
 const PRECISION: u32 = 300;
 
@@ -117,7 +118,7 @@ fn excess(f: &Curve, g: &Curve, answer: &Crossings) -> f64 {
 fn monotone(c: &Curve) -> bool {
     let chord = c.chord();
     let direction = chord.y.atan2(chord.x);
-    let quadrant = |d: f64| if chord.y >= 0.0 { (0.0..=1.5708).contains(&d) } else { (-1.5708..=0.0).contains(&d) };
+    let quadrant = |d: f64| (if chord.y >= 0.0 { d } else { -d }) >= 0.0 && d.abs() <= FRAC_PI_2;
     quadrant(direction - c.delta) && quadrant(direction + c.delta)
 }
 
@@ -157,32 +158,25 @@ fn pair() -> impl Strategy<Value = (Curve, Curve)> {
     })
 }
 
+/// The module's tolerance is 4 eps of a box of side 2; its point tests, at both ends and between crossings, err by a few
+/// eps more.
+const BOUND: f64 = 24.0;
+
 #[test]
 fn order_is_right_to_a_few_eps() {
-    let mut worst = (0.0, None);
-    let mut runner = proptest::test_runner::TestRunner::new(ProptestConfig {
-        max_global_rejects: 10_000_000,
-        ..ProptestConfig::with_cases(20_000)
-    });
-    let result = runner.run(&pair(), |(f, g)| {
-        let module = FloatModule::new(2.0);
-        let answer = module.cross(&f, &g);
+    let worst = std::cell::Cell::new(0.0_f64);
+    let config = ProptestConfig { max_global_rejects: 10_000_000, ..ProptestConfig::with_cases(8000) };
+    let result = TestRunner::new(config).run(&pair(), |(f, g)| {
+        let answer = FloatModule::new(2.0).cross(&f, &g);
         for (f, g, answer) in [(&f, &g, answer), (&g, &f, answer.exchanged())] {
             let e = excess(f, g, &answer);
-            prop_assert!(e <= 24.0, "{e} eps, {answer:?}");
+            worst.set(worst.get().max(e));
+            prop_assert!(e <= BOUND, "{e} eps, {answer:?}");
         }
         Ok(())
     });
+    println!("worst order error {:.2} eps", worst.get());
     if let Err(e) = result {
         panic!("{e}");
     }
-    for _ in 0..20_000 {
-        let (f, g) = pair().new_tree(&mut runner).expect("a pair").current();
-        let answer = FloatModule::new(2.0).cross(&f, &g);
-        let e = excess(&f, &g, &answer);
-        if e > worst.0 {
-            worst = (e, Some((f, g)));
-        }
-    }
-    println!("worst order error {:.2} eps: {:?}", worst.0, worst.1);
 }

@@ -116,11 +116,11 @@ impl Pair<'_> {
         }
         let (candidates, count) = self.candidates(joined, meeting);
         let candidates = &candidates[..count];
-        let signs = self.signs(candidates);
-        let Some(first) = signs.iter().flatten().find(|s| **s != 0).copied() else {
-            return Crossings::none(true);
-        };
-        self.changes(first, &signs, candidates)
+        let (start, end) = (self.sign_at_start(), self.sign_at_end());
+        if count == 0 && start * end < 0 {
+            return Crossings::at(start < 0, &[self.bisect(start)]);
+        }
+        self.changes(self.signs(candidates, start, end), candidates)
     }
 
     /// Order of curves that share an end and cannot cross: by direction there. Equal directions fall back on the index.
@@ -129,38 +129,38 @@ impl Pair<'_> {
         order != Ordering::Greater
     }
 
-    /// Where signs are taken: at the start, between two candidates, at the end. A sign is that of f above g: -1, 0 or 1.
-    fn signs(&self, candidates: &[DVec2]) -> [Option<i8>; 3] {
-        let start = self.sign_at_start();
-        let end = self.sign_at_end();
-        let middle = match candidates {
-            [p, q] => Some(self.sign_between(*p, *q)),
-            _ if start == 0 && end == 0 => Some(self.sign_between(self.on_f(self.start()), self.on_f(self.end()))),
-            _ => None,
+    /// The sign of f above g, -1, 0 or 1, on the intervals into which the candidates cut the common part. An interval that
+    /// begins or ends the part has the sign there, unless that is 0.
+    fn signs(&self, candidates: &[DVec2], start: i8, end: i8) -> [i8; 3] {
+        let bound = |i: usize| match i.checked_sub(1) {
+            None => self.on_f(self.start()),
+            Some(i) => candidates.get(i).copied().unwrap_or_else(|| self.on_f(self.end())),
         };
-        [Some(start), middle, Some(end)]
+        let sign = |i: usize| match i {
+            0 if start != 0 => start,
+            _ if i == candidates.len() && end != 0 => end,
+            _ if i > candidates.len() => 0,
+            _ => self.sign_between(bound(i), bound(i + 1)),
+        };
+        [0, 1, 2].map(sign)
     }
 
-    /// Keeps a candidate where the sign changes. A zero sign counts as the sign before it.
-    fn changes(&self, first: i8, signs: &[Option<i8>; 3], candidates: &[DVec2]) -> Crossings {
-        let mut kept = [DVec2::ZERO; 2];
-        let mut count = 0;
+    /// Keeps the candidates at which the sign changes. A sign of 0 counts as that of the interval before.
+    fn changes(&self, signs: [i8; 3], candidates: &[DVec2]) -> Crossings {
+        let Some(first) = signs.into_iter().find(|s| *s != 0) else {
+            return Crossings::none(true);
+        };
         let mut sign = first;
-        for (i, next) in signs.iter().enumerate().skip(1) {
-            let Some(next) = *next else { continue };
-            if next == 0 || next == sign {
-                continue;
-            }
-            kept[count] = match (candidates, i) {
-                ([p, _], 1) => *p,
-                ([_, q], _) => *q,
-                ([p], _) => *p,
-                _ => self.bisect(sign),
-            };
-            sign = next;
-            count += 1;
-        }
-        Crossings::at(first < 0, &kept[..count])
+        let kept = candidates.iter().zip(&signs[1..]).filter(|(_, next)| {
+            let change = **next == -sign;
+            sign = if change { **next } else { sign };
+            change
+        });
+        let kept: ([DVec2; 2], usize) = kept.fold(([DVec2::ZERO; 2], 0), |(mut all, n), (p, _)| {
+            all[n] = *p;
+            (all, n + 1)
+        });
+        Crossings::at(first < 0, &kept.0[..kept.1])
     }
 
     fn start(&self) -> DVec2 {
