@@ -2,6 +2,8 @@
 //!
 //! A report is made from these two alone. Columns that were not measured are empty, never zero.
 
+pub(crate) mod number;
+
 use arcsum::region::Region;
 use serde::{Deserialize, Serialize};
 
@@ -37,11 +39,13 @@ pub struct Row {
     /// The seed the case was made from; empty for cases from files.
     pub seed: Option<u64>,
     /// Certified lower bound of the region Hausdorff distance to the exact sum.
+    #[serde(default, with = "number")]
     pub mu_lo: Option<f64>,
     /// Certified upper bound of it.
+    #[serde(default, with = "number")]
     pub mu_hi: Option<f64>,
     /// -log2(mu_hi); `inf` when the result is exact.
-    #[serde(default, with = "bits")]
+    #[serde(default, with = "number")]
     pub bits: Option<f64>,
     /// Which way `mu_lo` is attained: `result` (a point of the result far from the sum) or `sum`.
     pub direction: Option<String>,
@@ -120,62 +124,6 @@ pub struct Record {
     pub convolution: Vec<[f64; 5]>,
 }
 
-/// Bits as a number, or as the word `inf`, which JSON has no number for.
-mod bits {
-    use serde::de::{Deserializer, Error, Visitor};
-    use serde::ser::Serializer;
-
-    pub fn serialize<S: Serializer>(bits: &Option<f64>, to: S) -> Result<S::Ok, S::Error> {
-        match bits {
-            None => to.serialize_none(),
-            Some(bits) if bits.is_infinite() => to.serialize_str("inf"),
-            Some(bits) => to.serialize_f64(*bits),
-        }
-    }
-
-    pub fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
-        from.deserialize_option(Bits)
-    }
-
-    struct Bits;
-
-    impl<'de> Visitor<'de> for Bits {
-        type Value = Option<f64>;
-
-        fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-            f.write_str("a number, inf, or nothing")
-        }
-
-        fn visit_none<E: Error>(self) -> Result<Self::Value, E> {
-            Ok(None)
-        }
-
-        fn visit_unit<E: Error>(self) -> Result<Self::Value, E> {
-            Ok(None)
-        }
-
-        fn visit_some<D: Deserializer<'de>>(self, from: D) -> Result<Self::Value, D::Error> {
-            from.deserialize_any(self)
-        }
-
-        fn visit_f64<E: Error>(self, value: f64) -> Result<Self::Value, E> {
-            Ok(Some(value))
-        }
-
-        fn visit_u64<E: Error>(self, value: u64) -> Result<Self::Value, E> {
-            Ok(Some(value as f64))
-        }
-
-        fn visit_i64<E: Error>(self, value: i64) -> Result<Self::Value, E> {
-            Ok(Some(value as f64))
-        }
-
-        fn visit_str<E: Error>(self, text: &str) -> Result<Self::Value, E> {
-            text.parse().map(Some).map_err(E::custom)
-        }
-    }
-}
-
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
@@ -190,7 +138,7 @@ pub(crate) mod tests {
     #[test]
     fn bits_survive_csv_and_json() {
         for bits in [None, Some(51.25), Some(51.0), Some(-3.0), Some(f64::INFINITY)] {
-            let row = Row { bits, ..row() };
+            let row = Row { bits, mu_hi: bits.map(|b| -b), ..row() };
             let json = serde_json::to_string(&row).unwrap();
             assert_eq!(serde_json::from_str::<Row>(&json).unwrap(), row);
             let mut writer = csv::Writer::from_writer(Vec::new());

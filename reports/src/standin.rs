@@ -7,20 +7,3 @@ pub mod page {
         Ok(())
     }
 }
-
-pub mod oracle {
-    use arcsum_oracle::plain::PlainRegion;
-    use arcsum_oracle::region::ExactRegion;
-    use rug::Rational;
-
-    pub struct Bracket {
-        pub lo: f64,
-        pub hi: f64,
-        pub direction: &'static str,
-        pub witness: [f64; 2],
-    }
-
-    pub fn hausdorff(_: &PlainRegion, _: &ExactRegion<Rational>, _: f64) -> Bracket {
-        Bracket { lo: 0.0, hi: f64::INFINITY, direction: "result", witness: [0.0, 0.0] }
-    }
-}

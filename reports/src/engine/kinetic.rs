@@ -39,19 +39,20 @@ impl Engine for Kinetic {
 
 fn counters(sum: &Sum) -> Counters {
     let count = |n: usize| Some(n as u64);
+    let audit = &sum.arrangement.audit;
     Counters {
         sums: count(sum.convolution.pieces.len()),
-        vertices: count(sum.audit.vertices),
-        late: count(sum.audit.late),
-        gather: count(sum.audit.gather),
-        cells: count(sum.euler.faces),
+        vertices: count(audit.vertices),
+        late: count(audit.late),
+        gather: count(audit.gather),
+        cells: count(sum.arrangement.graph.windings.len()),
         ..Counters::default()
     }
 }
 
-/// Euler's formula, winding numbers that agree along every edge, and none below zero, which the fill rule excludes.
+/// Euler's formula, and winding numbers that agree along every edge.
 fn failed(sum: &Sum) -> Vec<String> {
-    let checks =
-        [("euler", sum.euler.holds()), ("winding", sum.winding_conflicts == 0), ("negative", sum.negative_cells == 0)];
+    let graph = &sum.arrangement.graph;
+    let checks = [("euler", graph.euler().holds()), ("winding", graph.winding_conflicts == 0)];
     checks.into_iter().filter(|(_, held)| !held).map(|(name, _)| name.to_owned()).collect()
 }

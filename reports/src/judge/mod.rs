@@ -6,7 +6,7 @@ pub mod why;
 
 use crate::cases::Case;
 use crate::engine::Answer;
-use crate::row::Status;
+use crate::row::{Status, number};
 use serde::{Deserialize, Serialize};
 
 /// What the references found out about an answer.
@@ -14,8 +14,12 @@ use serde::{Deserialize, Serialize};
 pub struct Judgement {
     /// Ok, or undecided.
     pub status: Status,
-    /// Bracket of the Hausdorff distance, in unit-box lengths; none without a bound on that side.
-    pub mu: [Option<f64>; 2],
+    /// Lower bound of the Hausdorff distance, in unit-box lengths.
+    #[serde(default, with = "number")]
+    pub mu_lo: Option<f64>,
+    /// Upper bound of it.
+    #[serde(default, with = "number")]
+    pub mu_hi: Option<f64>,
     /// `result` or `sum`: where the point that attains the lower bound lies.
     pub direction: Option<String>,
     /// That point, in input units.
@@ -34,7 +38,8 @@ impl Judgement {
     pub fn undecided(note: impl Into<String>) -> Self {
         Self {
             status: Status::Undecided,
-            mu: [None, None],
+            mu_lo: None,
+            mu_hi: None,
             direction: None,
             witness: None,
             exact_loops: None,

@@ -5,26 +5,37 @@ use crate::bridge::{plain, unit};
 use crate::cases::Case;
 use crate::engine::Answer;
 use crate::row::Status;
-use crate::standin::oracle;
+use arcsum_oracle::error::OracleError;
+use arcsum_oracle::measure::{Direction, hausdorff};
 use arcsum_oracle::polygon;
 
 /// Judges the answer to a case of two polygons.
 pub(super) fn judge(case: &Case, answer: &Answer) -> Judgement {
-    let exact = match polygon::sum(&plain(&case.a), &plain(&case.b)) {
-        Ok(exact) => exact,
-        Err(e) => return Judgement::undecided(e.to_string()),
-    };
+    measured(case, answer).unwrap_or_else(|e| Judgement::undecided(e.to_string()))
+}
+
+fn measured(case: &Case, answer: &Answer) -> Result<Judgement, OracleError> {
+    let exact = polygon::sum(&plain(&case.a), &plain(&case.b))?;
     let unit = unit(&case.a, &case.b);
-    let bracket = oracle::hausdorff(&plain(&answer.region), &exact, unit);
+    let bracket = hausdorff(&plain(&answer.region), &exact, unit)?;
     let loops = exact.loops().len();
     let differ = answer.region.loops.len() != loops;
-    Judgement {
-        status: if bracket.hi.is_finite() { Status::Ok } else { Status::Undecided },
-        mu: [bracket.lo, bracket.hi].map(|v| v.is_finite().then_some(v)),
-        direction: Some(bracket.direction.to_string()),
-        witness: Some(bracket.witness),
+    let (x, y) = bracket.witness;
+    Ok(Judgement {
+        status: Status::Ok,
+        mu_lo: Some(bracket.lo),
+        mu_hi: Some(bracket.hi),
+        direction: Some(side(bracket.direction).to_owned()),
+        witness: (x.is_finite() && y.is_finite()).then_some([x, y]),
         exact_loops: Some(loops as u64),
         failed_checks: if differ { vec!["loops".into()] } else { Vec::new() },
         note: why::short_bits(case, answer, loops, bracket.hi, unit),
+    })
+}
+
+fn side(direction: Direction) -> &'static str {
+    match direction {
+        Direction::FromResult => "result",
+        Direction::FromSum => "sum",
     }
 }

@@ -61,7 +61,7 @@ fn enter_answer(row: &mut Row, answer: &Answer) {
 
 fn enter_judgement(row: &mut Row, judgement: &Judgement) {
     row.status = judgement.status;
-    [row.mu_lo, row.mu_hi] = judgement.mu;
+    (row.mu_lo, row.mu_hi) = (judgement.mu_lo, judgement.mu_hi);
     row.bits = row.mu_hi.map(|mu| -mu.log2());
     row.direction = judgement.direction.clone();
     row.worst_x = judgement.witness.map(|w| w[0]);
