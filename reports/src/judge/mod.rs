@@ -1,5 +1,6 @@
 //! Judging an answer: the reference's word about it, as the numbers of a row (section 3 of the design).
 
+pub mod golden;
 pub mod polygon;
 pub mod result;
 pub mod why;
@@ -30,6 +31,8 @@ pub struct Judgement {
     pub failed_checks: Vec<String>,
     /// One sentence, or nothing.
     pub note: String,
+    /// The verdict on somebody else's claim, where the case has one.
+    pub golden: Option<golden::Verdict>,
 }
 
 impl Judgement {
@@ -45,15 +48,16 @@ impl Judgement {
             exact_loops: None,
             failed_checks: Vec::new(),
             note: note.into(),
+            golden: None,
         }
     }
 }
 
-/// Judges the answer to a case.
+/// Judges the answer of an engine to a case.
 #[must_use]
-pub fn judge(case: &Case, answer: &Answer) -> Judgement {
+pub fn judge(case: &Case, engine: &str, answer: &Answer) -> Judgement {
     let mut judgement = if case.is_polygonal() {
-        polygon::judge(case, answer)
+        polygon::judge(case, engine, answer)
     } else {
         Judgement::undecided("the bounds for arcs are not in the workspace yet")
     };

@@ -1,7 +1,7 @@
 //! The output folder of a run: `results.csv`, `journal.jsonl`, `cases/NNNN.json`, `witnesses/NNNN.json`, numbered by the
 //! rows from 1.
 
-use crate::row::{Record, Row};
+use crate::row::Record;
 use serde::Serialize;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -74,14 +74,6 @@ impl Folder {
     #[must_use]
     pub fn journal(&self) -> PathBuf {
         self.path.join("journal.jsonl")
-    }
-
-    /// Writes `results.csv`, at once as a whole.
-    ///
-    /// # Errors
-    /// When it cannot be written.
-    pub fn write_rows<'a>(&self, rows: impl Iterator<Item = &'a Row>) -> Result<(), FolderError> {
-        self.write_table("results.csv", rows)
     }
 
     /// Writes a table, at once as a whole.

@@ -1,6 +1,7 @@
 //! The journal of a run, `journal.jsonl`: a line for each row as soon as it is known, so that an interrupted run can go
 //! on. The first line says which run it is; a last line cut short by a crash is dropped.
 
+use crate::judge::golden::Verdict;
 use crate::row::Row;
 use serde::{Deserialize, Serialize};
 use std::fs::{File, OpenOptions};
@@ -38,6 +39,9 @@ pub struct Entry {
     pub number: usize,
     /// The row.
     pub row: Row,
+    /// The verdict on somebody else's claim, where the case has one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub golden: Option<Verdict>,
 }
 
 /// The first line.
@@ -111,7 +115,7 @@ mod tests {
     use crate::row::tests::row;
 
     fn entry(number: usize) -> Entry {
-        Entry { number, row: row() }
+        Entry { number, row: row(), golden: None }
     }
 
     #[test]

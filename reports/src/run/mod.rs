@@ -66,39 +66,51 @@ pub struct Summary {
 pub fn run(plan: &Plan, settings: &Settings, stop: &AtomicBool) -> Result<Summary, RunError> {
     let folder = if settings.resume { Folder::open(&settings.out)? } else { Folder::fresh(&settings.out)? };
     let (mut journal, done) = Journal::open(&folder.journal(), &plan.fingerprint(), settings.resume)?;
-    let mut rows: Vec<Option<Row>> = vec![None; plan.jobs.len()];
+    let mut entries: Vec<Option<Entry>> = vec![None; plan.jobs.len()];
     for entry in done {
-        if let Some(row) = entry.number.checked_sub(1).and_then(|i| rows.get_mut(i)) {
-            *row = Some(entry.row);
+        if let Some(place) = entry.number.checked_sub(1).and_then(|i| entries.get_mut(i)) {
+            *place = Some(entry);
         }
     }
-    let open: Vec<usize> = (0..rows.len()).filter(|&i| rows[i].is_none()).collect();
-    let progress = Progress::new(rows.len(), rows.len() - open.len());
+    let open: Vec<usize> = (0..entries.len()).filter(|&i| entries[i].is_none()).collect();
+    let progress = Progress::new(entries.len(), entries.len() - open.len());
     let mut refreshed = Instant::now();
     let pool = Pool { program: &settings.program, threads: settings.threads, limit: settings.limit };
-    let ended = pool.measure(plan, &open, stop, |job, outcome| -> Result<(), RunError> {
+    let ended = pool.measure(plan, &open, stop, |job, mut outcome| -> Result<(), RunError> {
+        let golden = outcome.judgement.as_mut().and_then(|j| j.golden.take());
         let record = record::assemble(plan, job, outcome);
         folder.write_record(job + 1, &record)?;
-        journal.append(&Entry { number: job + 1, row: record.row.clone() })?;
-        progress.done(&record.row);
-        rows[job] = Some(record.row);
+        let entry = Entry { number: job + 1, row: record.row, golden };
+        journal.append(&entry)?;
+        progress.done(&entry.row);
+        entries[job] = Some(entry);
         if refreshed.elapsed() >= REFRESH {
-            folder.write_rows(rows.iter().flatten())?;
+            write_tables(&folder, &entries)?;
             refreshed = Instant::now();
         }
         Ok(())
     });
-    folder.write_rows(rows.iter().flatten())?;
+    write_tables(&folder, &entries)?;
     let interrupted = match ended {
         Err(RunError::Pool(PoolError::Stopped)) => true,
         other => other.map(|()| false)?,
     };
-    let rows: Vec<Row> = rows.into_iter().flatten().collect();
+    let rows: Vec<Row> = entries.into_iter().flatten().map(|e| e.row).collect();
     progress.finish(&rows);
     if !interrupted {
         witness::keep(plan, &folder, &rows)?;
     }
     Ok(Summary { rows, interrupted })
+}
+
+/// Writes `results.csv`, and `goldens.csv` if there are any.
+fn write_tables(folder: &Folder, entries: &[Option<Entry>]) -> Result<(), RunError> {
+    let known = || entries.iter().flatten();
+    folder.write_table("results.csv", known().map(|e| &e.row))?;
+    if known().any(|e| e.golden.is_some()) {
+        folder.write_table("goldens.csv", known().filter_map(|e| e.golden.as_ref()))?;
+    }
+    Ok(())
 }
 
 impl Summary {

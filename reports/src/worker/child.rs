@@ -70,7 +70,7 @@ impl Engines {
             Err((status, note)) => say(Message::Failed { status, note }),
             Ok(answer) => {
                 say(Message::Answered(Box::new(answer.clone())))?;
-                let judged = catch_unwind(AssertUnwindSafe(|| judge(&task.case, &answer)));
+                let judged = catch_unwind(AssertUnwindSafe(|| judge(&task.case, &task.engine, &answer)));
                 let judgement = judged.unwrap_or_else(|cause| {
                     crate::judge::Judgement::undecided(format!("the reference panicked: {}", reason(cause.as_ref())))
                 });
