@@ -13,6 +13,7 @@ use std::collections::{BTreeMap, HashMap};
 use crate::arrange::Edge;
 use crate::boxes::{Boxes, Extent};
 use crate::error::OracleError;
+use crate::graph::Graph;
 use crate::number::Number;
 use crate::point::{Place, Point, cross_sign, dot_sign, orient};
 
@@ -33,26 +34,7 @@ pub fn loops<Q: Number>(edges: Vec<Edge<Q>>) -> Result<Vec<Vec<Point<Q>>>, Oracl
     Ok(loops)
 }
 
-/// Directed edges between numbered places.
-struct Graph<Q> {
-    places: Vec<Place<Q>>,
-    edges: Vec<(usize, usize)>,
-}
-
 impl<Q: Number> Graph<Q> {
-    fn new(edges: Vec<Edge<Q>>) -> Self {
-        let mut numbers: HashMap<Point<Q>, usize> = HashMap::with_capacity(edges.len());
-        let mut places: Vec<Place<Q>> = Vec::new();
-        let mut number = |point: Point<Q>| {
-            *numbers.entry(point).or_insert_with_key(|point| {
-                places.push(Place::from(point.clone()));
-                places.len() - 1
-            })
-        };
-        let edges = edges.into_iter().map(|(a, b)| (number(a), number(b))).collect();
-        Self { places, edges }
-    }
-
     /// Cuts the edges that pass straight through a place where several loops meet, so that they take part in the
     /// pairing there.
     fn split_at_pinches(&mut self) -> Result<(), OracleError> {
