@@ -18,6 +18,7 @@ mod joint;
 mod nesting;
 pub mod piece;
 pub mod region;
+mod size;
 pub mod smooth;
 pub mod sum;
 pub mod sum3;

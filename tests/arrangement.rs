@@ -2,6 +2,7 @@
 
 use arcsum::arrangement::cross::FloatModule;
 use arcsum::arrangement::{Arrangement, arrange, arrange_with};
+use arcsum_tests::cases;
 use arcsum_tests::liar::Liar;
 use arcsum_tests::tangle;
 use glam::DVec2;
@@ -33,7 +34,7 @@ fn assert_windings(map: &Arrangement, loops: &[Vec<DVec2>], least: f64) -> Resul
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(20000))]
+    #![proptest_config(cases(20000))]
 
     #[test]
     fn grids_give_the_exact_map(loops in (1..6).prop_flat_map(tangle::on_grid)) {

@@ -5,6 +5,7 @@ use arcsum::angle::Ang;
 use arcsum::arrangement::cross::{CrossingModule, Crossings, EPS, FloatModule};
 use arcsum::arrangement::curve::{Curve, compare};
 use arcsum::piece::{Piece, Source};
+use arcsum_tests::cases;
 use glam::DVec2;
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
@@ -165,8 +166,7 @@ const BOUND: f64 = 24.0;
 #[test]
 fn order_is_right_to_a_few_eps() {
     let worst = std::cell::Cell::new(0.0_f64);
-    let config = ProptestConfig { max_global_rejects: 10_000_000, ..ProptestConfig::with_cases(8000) };
-    let result = TestRunner::new(config).run(&pair(), |(f, g)| {
+    let result = TestRunner::new(cases(8000)).run(&pair(), |(f, g)| {
         let answer = FloatModule::new(2.0).cross(&f, &g);
         for (f, g, answer) in [(&f, &g, answer), (&g, &f, answer.exchanged())] {
             let e = excess(f, g, &answer);
