@@ -6,8 +6,7 @@ pub mod command;
 pub mod engine;
 pub mod environment;
 pub mod judge;
+pub mod page;
 pub mod row;
 pub mod run;
-#[allow(missing_docs)]
-mod standin;
 pub mod worker;

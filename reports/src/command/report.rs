@@ -5,8 +5,8 @@ use super::verify::measure;
 use super::{Failure, INTERRUPTED, RunArgs};
 use crate::cases::source::collect;
 use crate::engine::registry::BUILT_IN;
+use crate::page;
 use crate::run::plan::Plan;
-use crate::standin::page;
 use clap::Args;
 
 /// Arguments of `arcsum report`.
