@@ -27,8 +27,7 @@ pub fn report(args: &ReportArgs) -> Result<u8, Failure> {
     if measure(&plan, &args.run)?.interrupted {
         return Ok(INTERRUPTED);
     }
-    page::write(&args.run.out).map_err(Failure::other)?;
-    let index = args.run.out.join("index.html");
+    let index = page::write(&args.run.out).map_err(Failure::other)?;
     println!("{}", index.canonicalize().unwrap_or(index).display());
     Ok(0)
 }

@@ -33,7 +33,7 @@ pub struct Folder {
 /// What a run leaves in its folder.
 const FILES: [&str; 6] =
     ["results.csv", "journal.jsonl", "environment.json", "goldens.csv", "timing.csv", "index.html"];
-const FOLDERS: [&str; 2] = ["cases", "witnesses"];
+const FOLDERS: [&str; 3] = ["cases", "witnesses", "pictures"];
 
 impl Folder {
     /// The folder, made if need be, with whatever is in it.
@@ -41,7 +41,7 @@ impl Folder {
     /// # Errors
     /// When it cannot be made.
     pub fn open(path: &Path) -> Result<Self, FolderError> {
-        for inner in FOLDERS {
+        for inner in ["cases", "witnesses"] {
             let inner = path.join(inner);
             std::fs::create_dir_all(&inner).map_err(|e| FolderError::new(&inner, &e))?;
         }
