@@ -1,1 +1,4 @@
 //! Shared inputs of the integration tests.
+
+pub mod random;
+pub mod shapes;
