@@ -2,8 +2,10 @@
 
 pub mod fiber;
 pub mod liar;
+pub mod random;
 pub mod shapes;
 pub mod tangle;
+pub mod valid;
 
 use proptest::prelude::ProptestConfig;
 
