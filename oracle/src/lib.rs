@@ -4,7 +4,9 @@
 
 pub mod arrange;
 pub mod boxes;
+pub mod convex;
 pub mod convolve;
+pub mod decompose;
 pub mod error;
 pub mod farthest;
 pub mod graph;
@@ -19,3 +21,4 @@ pub mod polygon;
 pub mod region;
 pub mod trace;
 pub mod trapezoid;
+pub mod union;

@@ -10,7 +10,7 @@
 //! of S \ E, since S is the closure of its interior and E is closed; the trapezoids are closed and cover the closure of
 //! S \ E; and their corners belong to S and not to the interior of E, so the distances there are attained.
 
-use crate::arrange::{Curves, boundaries};
+use crate::arrange::{Curves, Edge, boundaries};
 use crate::error::{Budget, OracleError};
 use crate::farthest::Farthest;
 use crate::interval::Interval;
@@ -62,7 +62,7 @@ pub fn hausdorff<Q: Number>(result: &PlainRegion, sum: &ExactRegion<Q>, unit: f6
 pub fn between<Q: Number>(result: &ExactRegion<Q>, sum: &ExactRegion<Q>, unit: f64) -> Result<Bracket, OracleError> {
     let nowhere = (f64::NAN, f64::NAN);
     if result.unbounded() != sum.unbounded() || result.is_empty() != sum.is_empty() {
-        let more = result.unbounded() > sum.unbounded() || sum.is_empty();
+        let more = (result.unbounded() && !sum.unbounded()) || sum.is_empty();
         let direction = if more { Direction::FromResult } else { Direction::FromSum };
         return Ok(Bracket { lo: f64::INFINITY, hi: f64::INFINITY, direction, witness: nowhere });
     }
@@ -86,10 +86,7 @@ pub fn between<Q: Number>(result: &ExactRegion<Q>, sum: &ExactRegion<Q>, unit: f
 }
 
 /// The boundaries of `a` without `b` and of `b` without `a`.
-fn differences<Q: Number>(
-    a: &ExactRegion<Q>,
-    b: &ExactRegion<Q>,
-) -> Result<[Vec<crate::arrange::Edge<Q>>; 2], OracleError> {
+fn differences<Q: Number>(a: &ExactRegion<Q>, b: &ExactRegion<Q>) -> Result<[Vec<Edge<Q>>; 2], OracleError> {
     let mut curves = Curves::default();
     for (layer, region) in [a, b].into_iter().enumerate() {
         region.loops().iter().for_each(|ring| curves.ring(ring.iter().cloned(), layer));
