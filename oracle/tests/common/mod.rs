@@ -38,7 +38,9 @@ pub fn cells(side: usize) -> impl Strategy<Value = PlainRegion> {
             let corners: Vec<(f64, f64)> = match kind {
                 0 => continue,
                 1 => square.to_vec(),
-                kind => square.into_iter().enumerate().filter(|(i, _)| *i != kind as usize - 2).map(|(_, p)| p).collect(),
+                kind => {
+                    square.into_iter().enumerate().filter(|(i, _)| *i != kind as usize - 2).map(|(_, p)| p).collect()
+                }
             };
             let (a, b) = (f64::from(a), f64::from(b));
             let place = |(x, y): (f64, f64)| (x + a * y + f64::from(shift), y + b * (x + a * y));
@@ -67,7 +69,7 @@ pub fn complement(region: &PlainRegion) -> PlainRegion {
 }
 
 /// The fork pair with p teeth each way, scaled to integers, and the pitch of its coarse teeth: the sum has (p²-1)² holes
-/// smaller than that pitch (memo J5).
+/// smaller than that pitch, and p²-1 more along the border (memo J5).
 pub fn fork(p: u32) -> (PlainRegion, PlainRegion, f64) {
     let p = f64::from(p);
     let unit = 40.0 * p * (p + 1.0);
@@ -77,10 +79,8 @@ pub fn fork(p: u32) -> (PlainRegion, PlainRegion, f64) {
         rectangle(-width, -width, 0.0, 12.0 * unit + (p - 1.0) * coarse + width),
         rectangle(-width, -width, 6.0 * unit + (p - 1.0) * coarse + width, 0.0),
     ];
-    let mut b = vec![
-        rectangle(-width, low, 0.0, 0.0),
-        rectangle(-width, -width, 6.0 * unit + (p - 1.0) * fine + width, 0.0),
-    ];
+    let mut b =
+        vec![rectangle(-width, low, 0.0, 0.0), rectangle(-width, -width, 6.0 * unit + (p - 1.0) * fine + width, 0.0)];
     for i in 0..p as u32 {
         let i = f64::from(i);
         let (up, right) = (12.0 * unit + i * coarse, 6.0 * unit + i * coarse);
