@@ -25,7 +25,7 @@ fn digits<Q: Number>(region: &ExactRegion<Q>) -> Vec<Vec<(String, String)>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
+    #![proptest_config(common::cases(400))]
 
     #[test]
     fn algorithms_agree_on_degenerate_grids(a in cells(3), b in cells(3)) {
@@ -45,7 +45,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(60))]
+    #![proptest_config(common::cases(60))]
 
     #[test]
     fn algorithms_agree_on_larger_grids(a in cells(5), b in cells(4)) {

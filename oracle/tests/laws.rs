@@ -62,7 +62,7 @@ fn inside(region: &Region, p: &Point<Rational>) -> bool {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(150))]
+    #![proptest_config(common::cases(150))]
 
     #[test]
     fn the_order_of_operands_does_not_matter(a in either(), b in either(), outside in any::<bool>()) {

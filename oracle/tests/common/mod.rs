@@ -6,6 +6,13 @@ use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
 use arcsum_oracle::region::ExactRegion;
 use proptest::prelude::*;
 
+/// So many cases, more on request by `PROPTEST_CASES`; failures are reported with their values, not kept as seeds.
+pub fn cases(cases: u32) -> ProptestConfig {
+    let asked = ProptestConfig::default().cases;
+    let factor = if std::env::var_os("PROPTEST_CASES").is_some() { asked.div_ceil(256) } else { 1 };
+    ProptestConfig { cases: cases * factor, failure_persistence: None, ..ProptestConfig::default() }
+}
+
 /// A plain ring through these points.
 pub fn ring(points: impl IntoIterator<Item = (f64, f64)>) -> Vec<Corner> {
     points.into_iter().map(|(x, y)| Corner { x, y, bend: Bend::Line }).collect()
