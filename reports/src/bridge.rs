@@ -1,5 +1,6 @@
 //! Regions crossing the line to the oracle as plain numbers, and the unit box (section 3 of the design).
 
+use arcsum::frame::Frame;
 use arcsum::region::{Curve, Node, Region};
 use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
 
@@ -19,15 +20,10 @@ pub fn plain(region: &Region) -> PlainRegion {
 }
 
 /// The side of the unit box in input units: the power of two that brings the larger side of the larger bounding box of
-/// the operands into (1/2, 1]. Boxes are those of the vertices; with arcs the true box can be a little larger.
+/// the operands into (1/2, 1].
 #[must_use]
 pub fn unit(a: &Region, b: &Region) -> f64 {
-    let side = crate::cases::shape::extent(a).max(crate::cases::shape::extent(b));
-    if side == 0.0 || !side.is_finite() {
-        return 1.0;
-    }
-    let (fraction, exponent) = libm::frexp(side);
-    libm::scalbn(1.0, if fraction == 0.5 { exponent - 1 } else { exponent })
+    libm::scalbn(1.0, Frame::pair(a, b).0.exp)
 }
 
 #[cfg(test)]

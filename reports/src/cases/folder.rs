@@ -36,10 +36,10 @@ impl Found {
     }
 }
 
-/// The cases of a folder and the folders in it.
+/// The cases of a folder and the folders in it; none when no region files are there.
 ///
 /// # Errors
-/// When the folder or its `pairs.csv` cannot be read, or no region file is in it.
+/// When a folder or its `pairs.csv` cannot be read.
 pub fn folder(path: &Path) -> Result<Found, BadFile> {
     let (files, folders) = entries(path)?;
     let mut found = Found::default();
@@ -59,11 +59,7 @@ pub fn folder(path: &Path) -> Result<Found, BadFile> {
         found.extend(singles(&files, &family, !paired));
     }
     for inner in &folders {
-        // Folders without regions are none of ours.
-        found.extend(folder(inner).unwrap_or_default());
-    }
-    if found.cases.is_empty() && found.bad.is_empty() {
-        return Err(BadFile(format!("{}: no region files in this folder", path.display())));
+        found.extend(folder(inner)?);
     }
     Ok(found)
 }

@@ -21,7 +21,11 @@ pub fn collect(words: &[String], seed: u64) -> Result<Found, BadFile> {
     found.extend(files(&single));
     for word in words.iter().filter(|w| !is_file(w)) {
         if Path::new(word).is_dir() {
-            found.extend(folder(Path::new(word))?);
+            let inside = folder(Path::new(word))?;
+            if inside.cases.is_empty() && inside.bad.is_empty() {
+                return Err(BadFile(format!("{word}: no region files in this folder")));
+            }
+            found.extend(inside);
         } else {
             found.cases.extend(family(word, seed)?);
         }

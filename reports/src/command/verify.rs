@@ -7,7 +7,7 @@ use super::{Failure, INTERRUPTED, RunArgs, interrupt};
 use crate::cases::Case;
 use crate::cases::source::collect;
 use crate::environment::{Environment, processors};
-use crate::run::folder::{Folder, write_json};
+use crate::run::folder::write_json;
 use crate::run::journal::JournalError;
 use crate::run::plan::Plan;
 use crate::run::{RunError, Settings, Summary, run};
@@ -60,8 +60,13 @@ pub(super) fn measure(plan: &Plan, args: &RunArgs) -> Result<Summary, Failure> {
         RunError::Journal(JournalError::OtherRun(_)) => Failure::input(e),
         other => Failure::other(other),
     })?;
-    let folder = Folder::open(&args.out).map_err(Failure::other)?;
-    let environment = Environment::of(plan, threads, args.seed, args.time_limit.as_secs_f64());
-    write_json(&folder.path().join("environment.json"), &environment).map_err(Failure::other)?;
+    stamp(plan, args)?;
     Ok(summary)
+}
+
+/// Writes `environment.json`.
+pub(super) fn stamp(plan: &Plan, args: &RunArgs) -> Result<(), Failure> {
+    let threads = args.threads.map_or_else(processors, usize::from);
+    let environment = Environment::of(plan, threads, args.seed, args.time_limit.as_secs_f64());
+    write_json(&args.out.join("environment.json"), &environment).map_err(Failure::other)
 }

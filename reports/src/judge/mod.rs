@@ -1,5 +1,6 @@
 //! Judging an answer: the reference's word about it, as the numbers of a row (section 3 of the design).
 
+mod arcs;
 pub mod golden;
 pub mod polygon;
 pub mod result;
@@ -56,11 +57,8 @@ impl Judgement {
 /// Judges the answer of an engine to a case.
 #[must_use]
 pub fn judge(case: &Case, engine: &str, answer: &Answer) -> Judgement {
-    let mut judgement = if case.is_polygonal() {
-        polygon::judge(case, engine, answer)
-    } else {
-        Judgement::undecided("the bounds for arcs are not in the workspace yet")
-    };
+    let mut judgement =
+        if case.is_polygonal() { polygon::judge(case, engine, answer) } else { arcs::judge(case, answer) };
     judgement.failed_checks.extend(result::failed_checks(&answer.region));
     judgement
 }

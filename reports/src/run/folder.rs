@@ -64,12 +64,6 @@ impl Folder {
         Self::open(path)
     }
 
-    /// The folder's path.
-    #[must_use]
-    pub fn path(&self) -> &Path {
-        &self.path
-    }
-
     /// The journal.
     #[must_use]
     pub fn journal(&self) -> PathBuf {

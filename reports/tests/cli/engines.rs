@@ -40,6 +40,32 @@ fn a_hanging_engine_does_not_outlive_the_run() {
     assert!(gone(pid.trim()), "process {pid} still runs");
 }
 
+#[test]
+fn known_errors_are_measured() {
+    let place = Place::new();
+    place.file("set/unit.json", &square(1.0));
+    place.file("pairs.csv", "family,case,A,B\nset,two,set/unit.json,set/unit.json\n");
+    // The sum is the square of side 2; the unit box has side 1.
+    let off = 1.0 / 1024.0;
+    let square_and_hole = square(2.0).replace("]]", r#"],[{"x":1,"y":1},{"x":1,"y":1.5},{"x":1.5,"y":1}]]"#);
+    let right = place.engine("right.sh", &format!("echo '{}'", square(2.0)));
+    let large = place.engine("large.sh", &format!("echo '{}'", square(2.0 + off)));
+    let holed = place.engine("holed.sh", &format!("echo '{square_and_hole}'"));
+    let engines = ["--engine", &right, "--engine", &large, "--engine", &holed];
+    run(&[&["verify", &place.text("set"), "--out", &place.text("out")], &engines[..]].concat());
+    let out = place.path("out");
+    let numbers = |name: &str| column(&out, name)[..3].iter().map(|v| v.parse().unwrap()).collect::<Vec<f64>>();
+    // The corner is off by the diagonal; the hole's inradius is (2 - sqrt 2) / 4.
+    let wanted = [0.0, off * 2.0_f64.sqrt(), 0.25 * (2.0 - 2.0_f64.sqrt())];
+    for ((lo, hi), wanted) in numbers("mu_lo").into_iter().zip(numbers("mu_hi")).zip(wanted) {
+        assert!(lo <= wanted && wanted <= hi && hi - lo <= 0.01 * wanted, "{lo} {wanted} {hi}");
+    }
+    assert_eq!(column(&out, "failed_checks")[..3], ["none", "none", "loops"]);
+    assert_eq!(column(&out, "bits")[0], "inf");
+    assert_eq!(column(&out, "direction")[1..3], ["result", "sum"]);
+    assert_eq!(column(&out, "worst_x")[1], (2.0 + off).to_string());
+}
+
 /// Whether the process ends within a few seconds.
 pub(crate) fn gone(pid: &str) -> bool {
     let alive = || {

@@ -77,6 +77,18 @@ fn pairs_are_read_from_the_parent_and_names_stay_unique() {
     assert_eq!(code(&output), 0, "{:?}", errors(&output));
     let wanted = ["set/one", "set/two", "set/a_negative", "set/b_negative", "set/c_negative"];
     assert_eq!(column(&place.path("out"), "case"), wanted);
+    // Pair two: the golden is the square from 0 to 2, and so is the answer; A + (-B) reaches from -3 to 1.
+    let goldens = std::fs::read_to_string(place.path("out/goldens.csv")).unwrap();
+    let lines: Vec<&str> = goldens.lines().skip(1).collect();
+    assert!(lines.len() == 1 && lines[0].starts_with("set/two,") && lines[0].contains(",both wrong,"), "{goldens}");
+}
+
+#[test]
+fn a_folder_without_regions_is_bad_input() {
+    let place = Place::new();
+    place.file("set/readme.txt", "nothing");
+    let output = run(&["verify", &place.text("set"), "--out", &place.text("out")]);
+    assert_eq!((code(&output), errors(&output).len()), (2, 1), "{:?}", errors(&output));
 }
 
 #[test]

@@ -1,0 +1,72 @@
+//! Regions with circle segments: the sums of polygons inside and around the operands enclose the exact sum (memo I6 in the
+//! form of certified bounds). They tell how wrong a result is at least, and whether its area can be right.
+//!
+//! The upper bound contains what the polygons leave open, so it says more about them than about the engine: it goes to
+//! the note, and the status is undecided.
+
+use super::Judgement;
+use crate::bridge::{plain, unit};
+use crate::cases::Case;
+use crate::engine::Answer;
+use arcsum::region::{Curve, Region};
+use arcsum_oracle::enclose::{Enclosure, enclose};
+use arcsum_oracle::error::{Budget, OracleError};
+use arcsum_oracle::interval::Interval;
+use arcsum_oracle::measure::Direction;
+use arcsum_oracle::probe::bracket;
+use rug::Rational;
+
+/// Chords or tangents for a circle segment, the most that is affordable.
+const PIECES: [usize; 5] = [32, 16, 8, 4, 2];
+
+/// The product of the vertices of both operands' polygons that is affordable: a few seconds.
+const AFFORDABLE: usize = 40_000;
+
+/// Judges the answer to a case with circle segments.
+pub(super) fn judge(case: &Case, answer: &Answer) -> Judgement {
+    measured(case, answer).unwrap_or_else(|e| Judgement::undecided(e.to_string()))
+}
+
+fn measured(case: &Case, answer: &Answer) -> Result<Judgement, OracleError> {
+    let pieces = pieces(&case.a, &case.b);
+    let operand = |region: &Region| enclose::<Rational>(&plain(region), pieces);
+    let sum = operand(&case.a)?.sum(&operand(&case.b)?, Budget::default())?;
+    let result = operand(&answer.region)?;
+    let bounds = bracket(&result, &sum, unit(&case.a, &case.b))?;
+    let (x, y) = bounds.witness;
+    let within = if bounds.hi.is_finite() { format!(", at most {:.1e}", bounds.hi) } else { String::new() };
+    Ok(Judgement {
+        mu_lo: Some(bounds.lo + 0.0),
+        direction: Some(if bounds.direction == Direction::FromResult { "result" } else { "sum" }.to_owned()),
+        witness: (x.is_finite() && y.is_finite()).then_some([x, y]),
+        exact_loops: agreed_loops(&sum),
+        failed_checks: failed(answer, &result, &sum),
+        ..Judgement::undecided(format!(
+            "bounds by polygons of {pieces} sides an arc: mu at least {:.1e}{within}",
+            bounds.lo
+        ))
+    })
+}
+
+fn pieces(a: &Region, b: &Region) -> usize {
+    let vertices = |region: &Region, pieces: usize| {
+        let arcs = region.loops.iter().flatten().filter(|n| n.curve != Curve::Line).count();
+        region.segments() + arcs * (pieces - 1)
+    };
+    let fits = |&&p: &&usize| vertices(a, p) * vertices(b, p) <= AFFORDABLE;
+    *PIECES.iter().find(fits).unwrap_or(&PIECES[PIECES.len() - 1])
+}
+
+/// The loops of the sum if the polygons inside and around it have as many: no proof, but no coincidence either.
+fn agreed_loops(sum: &Enclosure<Rational>) -> Option<u64> {
+    let (inner, outer) = (sum.inner.loops().len(), sum.outer.loops().len());
+    (inner == outer).then_some(inner as u64)
+}
+
+/// Areas that cannot be equal, and loops other than agreed on.
+fn failed(answer: &Answer, result: &Enclosure<Rational>, sum: &Enclosure<Rational>) -> Vec<String> {
+    let apart = |p: Interval, q: Interval| p.hi() < q.lo() || q.hi() < p.lo();
+    let loops = agreed_loops(sum).is_some_and(|n| n != answer.region.loops.len() as u64);
+    let checks = [("area", apart(result.area(), sum.area())), ("loops", loops)];
+    checks.into_iter().filter(|(_, failed)| *failed).map(|(name, _)| name.to_owned()).collect()
+}
