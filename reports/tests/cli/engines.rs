@@ -58,7 +58,8 @@ fn known_errors_are_measured() {
     // The corner is off by the diagonal; the hole's inradius is (2 - sqrt 2) / 4.
     let wanted = [0.0, off * 2.0_f64.sqrt(), 0.25 * (2.0 - 2.0_f64.sqrt())];
     for ((lo, hi), wanted) in numbers("mu_lo").into_iter().zip(numbers("mu_hi")).zip(wanted) {
-        assert!(lo <= wanted && wanted <= hi && hi - lo <= 0.01 * wanted, "{lo} {wanted} {hi}");
+        // The oracle refines its bracket to one part in 32.
+        assert!(lo <= wanted && wanted <= hi && hi <= 1.04 * lo, "{lo} {wanted} {hi}");
     }
     assert_eq!(column(&out, "failed_checks")[..3], ["none", "none", "loops"]);
     assert_eq!(column(&out, "bits")[0], "inf");
