@@ -36,8 +36,8 @@ impl Ang {
     /// The four axes, counter-clockwise from [`Ang::RIGHT`].
     pub const AXES: [Self; 4] = [Self::RIGHT, Self::UP, Self::LEFT, Self::DOWN];
 
-    /// The angle of the direction (nx, ny), to 2 eps of the offset unless it underflows. `None` for the zero vector and
-    /// for coordinates that are not finite.
+    /// The angle of the direction (nx, ny), to 3 eps of the offset unless that falls below 2^-1022. `None` for the zero
+    /// vector and for coordinates that are not finite.
     #[must_use]
     pub fn of_normal(nx: f64, ny: f64) -> Option<Self> {
         if !(nx.is_finite() && ny.is_finite()) || (nx == 0.0 && ny == 0.0) {
@@ -53,7 +53,8 @@ impl Ang {
     }
 
     /// The angle of the rightward normal (dy, -dx) of the line from tail to head (memo fact 1, MS 4.1 corrected), to
-    /// 4 eps of the offset: 1 for each difference and 2 for [`Ang::of_normal`]. `None` if the two are equal or not finite.
+    /// 5 eps of the offset: 1 for each difference and 3 for [`Ang::of_normal`]. `None` if the two are equal or not
+    /// finite.
     #[must_use]
     pub fn of_line(tail: DVec2, head: DVec2) -> Option<Self> {
         Self::of_normal(head.y - tail.y, tail.x - head.x)
@@ -83,7 +84,8 @@ impl Ang {
         Self::canonical(i32::from(self.k) + 2, self.off)
     }
 
-    /// This angle plus `d` radians, |d| <= pi, the offset right to 1 eps of itself. Adding a negative `d` subtracts.
+    /// This angle plus `d` radians, |d| <= pi, the offset right to 2 eps of itself plus 2^-105. Adding a negative `d`
+    /// subtracts.
     #[must_use]
     pub fn plus(self, d: f64) -> Self {
         let (sum, error) = two_sum(self.off, d);
@@ -99,7 +101,7 @@ impl Ang {
     }
 
     /// The signed turn from this angle to the other in radians, counter-clockwise positive, in (-pi, pi], right to 2 eps
-    /// of itself. Exactly pi for opposite angles; the sign is right even where the value rounds to pi.
+    /// of itself plus 2^-105. Exactly pi for opposite angles; the sign is right even where the value rounds to pi.
     #[must_use]
     pub fn turn_to(self, other: Self) -> f64 {
         let (sum, error) = two_sum(other.off, -self.off);
@@ -115,8 +117,8 @@ impl Ang {
     }
 
     /// Half the sum of the two angles taken in [0, 2 pi) (memo A2): the direction halfway between them, or its opposite
-    /// when they lie more than 180 degrees apart. The offset is right to 2 eps of itself, so sines and cosines stay
-    /// relatively accurate near all multiples of 90 degrees.
+    /// when they lie more than 180 degrees apart. The offset is right to 2 eps of itself plus 2^-105, so sines and
+    /// cosines stay relatively accurate near all multiples of 90 degrees.
     #[must_use]
     pub fn half_sum(self, other: Self) -> Self {
         let (sum, error) = two_sum(self.off, other.off);
