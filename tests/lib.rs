@@ -1,12 +1,16 @@
-//! Shared inputs of the integration tests.
+//! Shared inputs and judges of the integration tests.
 
+pub mod fiber;
+pub mod liar;
 pub mod precise;
+pub mod shapes;
+pub mod tangle;
 pub mod worst;
 
-use proptest::test_runner::Config;
+use proptest::prelude::ProptestConfig;
 
-/// The settings of a property test. Failing seeds are not kept, as they go stale: keep the failing value in a test.
+/// A configuration for this many cases. What fails is kept as a value in a test, not as a seed in a file: seeds go stale.
 #[must_use]
-pub fn cases(cases: u32) -> Config {
-    Config { cases, failure_persistence: None, ..Config::default() }
+pub fn cases(n: u32) -> ProptestConfig {
+    ProptestConfig { failure_persistence: None, max_global_rejects: 100 * n, ..ProptestConfig::with_cases(n) }
 }
