@@ -5,6 +5,7 @@
 //! the note, and the status is undecided.
 
 use super::Judgement;
+use super::why::WANTED_BITS;
 use crate::bridge::{plain, unit};
 use crate::cases::Case;
 use crate::engine::Answer;
@@ -40,7 +41,7 @@ fn measured(case: &Case, answer: &Answer) -> Result<Judgement, OracleError> {
         direction: Some(if bounds.direction == Direction::FromResult { "result" } else { "sum" }.to_owned()),
         witness: (x.is_finite() && y.is_finite()).then_some([x, y]),
         exact_loops: agreed_loops(&sum),
-        failed_checks: failed(answer, &result, &sum),
+        failed_checks: failed(answer, bounds.lo, &result, &sum),
         ..Judgement::undecided(format!(
             "bounds by polygons of {pieces} sides an arc: mu at least {:.1e}{within}",
             bounds.lo
@@ -63,10 +64,55 @@ fn agreed_loops(sum: &Enclosure<Rational>) -> Option<u64> {
     (inner == outer).then_some(inner as u64)
 }
 
-/// Areas that cannot be equal, and loops other than agreed on.
-fn failed(answer: &Answer, result: &Enclosure<Rational>, sum: &Enclosure<Rational>) -> Vec<String> {
+/// Areas that cannot be equal, loops other than agreed on, and errors that leave fewer bits than wanted.
+fn failed(answer: &Answer, mu: f64, result: &Enclosure<Rational>, sum: &Enclosure<Rational>) -> Vec<String> {
     let apart = |p: Interval, q: Interval| p.hi() < q.lo() || q.hi() < p.lo();
     let loops = agreed_loops(sum).is_some_and(|n| n != answer.region.loops.len() as u64);
-    let checks = [("area", apart(result.area(), sum.area())), ("loops", loops)];
+    let short = -mu.log2() < WANTED_BITS;
+    let checks = [("bits", short), ("area", apart(result.area(), sum.area())), ("loops", loops)];
     checks.into_iter().filter(|(_, failed)| *failed).map(|(name, _)| name.to_owned()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cases::shape::{disc, polygon, rectangle};
+
+    fn judged(answer: Region) -> Judgement {
+        let case = Case { name: "c".into(), family: "f".into(), a: disc(1.0), b: disc(0.5), seed: None, golden: None };
+        judge(&case, &Answer { region: answer, ..Answer::default() })
+    }
+
+    #[test]
+    fn the_right_disc_passes_and_wrong_ones_do_not() {
+        let right = judged(disc(1.5));
+        assert!(right.failed_checks.is_empty() && right.mu_lo.is_some_and(|mu| mu < 1e-15), "{right:?}");
+        // The unit box has side 2: off by 1/4 of an input unit is 1/8.
+        let small = judged(disc(1.25));
+        assert_eq!(small.failed_checks, ["bits", "area"]);
+        assert!(small.mu_lo.is_some_and(|mu| mu > 0.12 && mu <= 0.125), "{small:?}");
+        assert_eq!(small.direction.as_deref(), Some("sum"));
+    }
+
+    #[test]
+    fn a_square_of_the_right_area_is_told_by_its_distance() {
+        let side = 1.5 * std::f64::consts::PI.sqrt();
+        let square = judged(polygon(&rectangle([-0.5 * side, -0.5 * side], [0.5 * side, 0.5 * side])));
+        assert_eq!(square.failed_checks, ["bits"]);
+        assert_eq!(square.direction.as_deref(), Some("result"));
+    }
+
+    #[test]
+    fn pieces_shrink_as_regions_grow() {
+        let many = |n: u32| {
+            crate::cases::radial::bulging(
+                n,
+                crate::cases::radial::Bending::Out,
+                &mut crate::cases::rng::Rng::new(1, "pieces"),
+            )
+        };
+        assert_eq!(pieces(&disc(1.0), &disc(1.0)), 32);
+        assert_eq!(pieces(&many(40), &many(40)), 4);
+        assert_eq!(pieces(&many(4000), &many(4000)), 2);
+    }
 }
