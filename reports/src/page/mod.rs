@@ -172,9 +172,11 @@ fn charts(folder: &Folder) -> String {
         return "<p>No rows, no distribution.</p>\n".to_owned();
     }
     let engines = rank::distinct(entries.iter().map(|e| e.row.engine.as_str()));
-    let wide = |html: String| format!("<div>{html}</div>");
+    let histograms = histogram::html(entries, &engines);
     let (below, size) = (cumulative::html(entries, &engines), scatter::html(entries, &engines));
-    format!("<div class=\"charts\">{}{}{}</div>\n", histogram::html(entries, &engines), wide(below), wide(size))
+    format!(
+        "<div class=\"charts\">{histograms}</div>\n<div class=\"charts\"><div>{below}</div><div>{size}</div></div>\n"
+    )
 }
 
 impl Section {

@@ -44,9 +44,10 @@ pub fn figures(record: &Record) -> String {
         let [width, height] = panel.size.map(decimal);
         let notes: String = panel.notes.iter().map(|n| format!("<br>{}", text(n))).collect();
         format!(
-            "<figure><svg class=\"pic\" role=\"img\" aria-label=\"{heading}\" width=\"{width}\" height=\"{height}\" \
-             viewBox=\"0 0 {width} {height}\">{}</svg><figcaption><b>{heading}</b>{notes}</figcaption></figure>\n",
-            framed(panel),
+            "<figure><figcaption><b>{heading}</b>{notes}</figcaption><svg class=\"pic\" role=\"img\" \
+             aria-label=\"{heading}\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\">{}</svg>\
+             </figure>\n",
+            panel.body,
             heading = text(&panel.heading),
         )
     };
@@ -63,16 +64,10 @@ fn headed(panel: &Panel, left: f64, top: f64) -> String {
             format!("<text class=\"{}\" x=\"{x}\" y=\"{y}\">{}</text>\n", if i == 0 { "h" } else { "n" }, text(line))
         })
         .collect();
+    let (y, body) = (decimal(top), &panel.body);
+    let place = format!("x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\"");
     // An inner svg clips to its own box, without the ids that a clip path would need.
-    format!(
-        "{lines}<svg x=\"{x}\" y=\"{}\" width=\"{width}\" height=\"{height}\">{}</svg>\n",
-        decimal(top),
-        framed(panel)
-    )
-}
-
-fn framed(panel: &Panel) -> String {
-    format!("{}<rect class=\"f\" width=\"100%\" height=\"100%\"/>", panel.body)
+    format!("{lines}<svg {place}>{body}</svg>\n<rect class=\"f\" {place}/>\n")
 }
 
 fn title(record: &Record) -> String {
