@@ -1,6 +1,6 @@
 //! The page of a run: `index.html` and one SVG picture a case, made from the files of an output folder alone.
 //!
-//! [`write`] reads `results.csv`, the other tables, `environment.json` and the records in `cases/`, and returns the path
+//! [`write()`] reads `results.csv`, the other tables, `environment.json` and the records in `cases/`, and returns the path
 //! of the page. No engine runs and nothing is fetched: style and script are inside, and the page opens from disk. The
 //! same files give the same page, byte for byte.
 //!
