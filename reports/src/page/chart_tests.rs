@@ -42,12 +42,12 @@ fn curve_without_failures_begins_on_the_floor() {
 
 #[test]
 fn scatter_counts_what_it_does_not_show() {
-    let mut entries = rows(&[None, Some(50.0), Some(f64::INFINITY), Some(30.0)]);
+    let mut entries = rows(&[None, Some(50.0), Some(f64::INFINITY), Some(30.0), Some(40.0)]);
     entries[1].row.sums = None;
     let html = scatter::html(&entries, &["kinetic"]);
     assert!(html.contains("2 rows without bits or without a convolution not shown"));
     let dots = between(&html, "<path class=\"dot s0\" d=\"", "\"");
-    assert_eq!(dots.matches('M').count(), 2);
+    assert_eq!(dots.matches('M').count(), 3);
     assert!(html.contains("<a href=\"#r4\" aria-label=\"row 4\"><circle"));
     entries.iter_mut().for_each(|e| e.row.sums = None);
     assert!(scatter::html(&entries, &["kinetic"]).contains("no chart"));
