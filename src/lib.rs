@@ -6,6 +6,22 @@
 //! region again.
 
 pub mod angle;
+pub mod arc;
+pub mod arrangement;
+pub mod boolean;
+pub mod convolution;
+pub mod exact;
+pub mod extract;
+pub mod format;
+pub mod frame;
+mod joint;
+mod nesting;
 pub mod piece;
 pub mod region;
+mod size;
 pub mod smooth;
+pub mod sum;
+pub mod sum3;
+mod turn;
+pub mod twofold;
+pub mod validate;

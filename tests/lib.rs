@@ -1,1 +1,16 @@
-//! Shared inputs of the integration tests.
+//! Shared inputs and judges of the integration tests.
+
+pub mod fiber;
+pub mod liar;
+pub mod random;
+pub mod shapes;
+pub mod tangle;
+pub mod valid;
+
+use proptest::prelude::ProptestConfig;
+
+/// A configuration for this many cases. What fails is kept as a value in a test, not as a seed in a file: seeds go stale.
+#[must_use]
+pub fn cases(n: u32) -> ProptestConfig {
+    ProptestConfig { failure_persistence: None, max_global_rejects: 100 * n, ..ProptestConfig::with_cases(n) }
+}

@@ -2,4 +2,20 @@
 //!
 //! Nothing here is shared with the engine: a case arrives as plain numbers ([`plain`]).
 
+pub mod arrange;
+pub mod boxes;
+pub mod convolve;
+pub mod error;
+pub mod farthest;
+pub mod graph;
+pub mod interval;
+pub mod locate;
+pub mod measure;
+pub mod number;
+pub mod parts;
 pub mod plain;
+pub mod point;
+pub mod polygon;
+pub mod region;
+pub mod trace;
+pub mod trapezoid;

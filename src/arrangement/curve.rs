@@ -1,0 +1,212 @@
+//! A piece seen from left to right: the x-monotone curve the sweep works with (memo C1).
+//!
+//! Evaluation never uses a centre or a radius. With `t`, `h` the left and right end and `s`, `c` sine and cosine of the
+//! half sweep, the curve is the zero set of
+//! `F(p) = c (p-t) x (h-p) - s (p-t) . (h-p)`, and `-F / |h-t|` is the signed distance above it to first order.
+
+use crate::angle::Ang;
+use crate::piece::Piece;
+use glam::DVec2;
+use std::cmp::Ordering;
+
+/// An x-monotone line or circle segment, or a vertical line taken from bottom to top.
+#[derive(Clone, Copy, Debug)]
+pub struct Curve {
+    /// First point of the part the sweep still has before it, and its vertex.
+    pub start: DVec2,
+    /// Vertex of `start`.
+    pub first: u32,
+    /// Vertex of the right end.
+    pub last: u32,
+    /// Left (of a vertical: lower) end of the whole piece.
+    pub left: DVec2,
+    /// Right (upper) end.
+    pub right: DVec2,
+    /// Half sweep of the whole piece from left to right: positive when it bends to the left (upwards).
+    pub delta: f64,
+    /// Normal angle at `start` of the traversal from left to right, and at the right end.
+    pub normals: [Ang; 2],
+    /// What crossing the curve upwards adds to the winding numbers of the two operands.
+    pub weight: [i32; 2],
+    /// The piece this is, or is part of.
+    pub piece: u32,
+    low: f64,
+    high: f64,
+    sin: f64,
+    cos: f64,
+    inverse_length: f64,
+}
+
+/// Lexicographic order of points, the order of events.
+#[must_use]
+pub fn compare(p: DVec2, q: DVec2) -> Ordering {
+    p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y))
+}
+
+impl Curve {
+    /// The curve of a piece with these two end points; `None` if they coincide. An arc on a vertical chord becomes a line:
+    /// its x extent has been rounded away, so its sagitta is below one rounding as well.
+    #[must_use]
+    pub fn new(index: u32, piece: &Piece, tail: (u32, DVec2), head: (u32, DVec2)) -> Option<Self> {
+        if tail.0 == head.0 {
+            return None;
+        }
+        let forward = compare(tail.1, head.1).is_lt();
+        let (from, to) = if forward { (tail, head) } else { (head, tail) };
+        let chord = to.1 - from.1;
+        let signed = if forward { piece.delta } else { -piece.delta };
+        let delta = if chord.x == 0.0 { 0.0 } else { signed };
+        let normals = match (chord.x == 0.0, forward) {
+            (true, _) => [Ang::RIGHT; 2],
+            (false, true) => [piece.a, piece.b],
+            (false, false) => [piece.b.opposite(), piece.a.opposite()],
+        };
+        let mut weight = [0; 2];
+        weight[usize::from(piece.operand)] = if forward { 1 } else { -1 };
+        Some(Self {
+            start: from.1,
+            first: from.0,
+            last: to.0,
+            left: from.1,
+            right: to.1,
+            delta,
+            normals,
+            weight,
+            piece: index,
+            low: from.1.y.min(to.1.y),
+            high: from.1.y.max(to.1.y),
+            sin: libm::sin(delta),
+            cos: libm::cos(delta),
+            inverse_length: libm::hypot(chord.x, chord.y).recip(),
+        })
+    }
+
+    /// The part of this line that begins at vertex `first`, a point on it.
+    #[must_use]
+    pub fn from_vertex(&self, first: u32, start: DVec2) -> Self {
+        Self { first, start, ..*self }
+    }
+
+    /// Whether this is a straight line.
+    #[must_use]
+    pub fn is_line(&self) -> bool {
+        self.delta == 0.0
+    }
+
+    /// Whether this is a vertical line.
+    #[must_use]
+    pub fn is_vertical(&self) -> bool {
+        self.left.x == self.right.x
+    }
+
+    /// Least and greatest ordinate of the whole piece.
+    #[must_use]
+    pub fn y_range(&self) -> (f64, f64) {
+        (self.low, self.high)
+    }
+
+    /// Chord from left to right.
+    #[must_use]
+    pub fn chord(&self) -> DVec2 {
+        self.right - self.left
+    }
+
+    /// Unit normal at the left end, pointing down, and half the curvature: the curve is
+    /// `n.(p-left) + k |p-left|^2 = 0` (memo C1, implicit form).
+    #[must_use]
+    pub fn implicit(&self) -> (DVec2, f64) {
+        let c = self.chord();
+        let m = DVec2::new(self.cos * c.y - self.sin * c.x, -self.cos * c.x - self.sin * c.y);
+        (m * self.inverse_length, self.sin * self.inverse_length)
+    }
+
+    /// Ordinate at `x`, which should lie in the x range; of a vertical, its lower end. Error at most about 2 eps times the
+    /// length, divided by the sine of the normal where the curve is steep.
+    #[must_use]
+    pub fn y_at(&self, x: f64) -> f64 {
+        let c = self.chord();
+        let (base, offset) = if x - self.left.x <= self.right.x - x {
+            (self.left.y, solve(c.x, c.y, self.sin, self.cos, x - self.left.x))
+        } else {
+            (self.right.y, solve(-c.x, -c.y, -self.sin, self.cos, x - self.right.x))
+        };
+        (base + offset).clamp(self.low, self.high)
+    }
+
+    /// Abscissa at ordinate `y`, by the same formula with the axes exchanged.
+    #[must_use]
+    pub fn x_at(&self, y: f64) -> f64 {
+        let c = self.chord();
+        let (base, offset) = if (y - self.left.y).abs() <= (self.right.y - y).abs() {
+            (self.left.x, solve(c.y, c.x, -self.sin, self.cos, y - self.left.y))
+        } else {
+            (self.right.x, solve(-c.y, -c.x, self.sin, self.cos, y - self.right.y))
+        };
+        (base + offset).clamp(self.left.x, self.right.x)
+    }
+
+    /// Signed distance of `p` above the curve, for `p` within the x range: right in sign up to a few eps of distance, and
+    /// never larger in size than the distance by more than a few eps. 0 for points on the line of a vertical.
+    #[must_use]
+    pub fn above(&self, p: DVec2) -> f64 {
+        if self.is_vertical() {
+            return 0.0;
+        }
+        if self.is_line() {
+            return self.offset(p);
+        }
+        // Outside the box of a monotone arc the circle's other parts would confuse the sign.
+        let q = DVec2::new(p.x, p.y.clamp(self.low, self.high));
+        let inside = self.offset(q);
+        match p.y - q.y {
+            d if d > 0.0 => d.max(inside),
+            d if d < 0.0 => d.min(inside),
+            _ => inside,
+        }
+    }
+
+    fn offset(&self, p: DVec2) -> f64 {
+        let (u, v) = (p - self.left, self.right - p);
+        let cross = u.x * v.y - u.y * v.x;
+        if self.sin == 0.0 {
+            return -cross * self.inverse_length;
+        }
+        (self.sin * (u.x * v.x + u.y * v.y) - self.cos * cross) * self.inverse_length
+    }
+}
+
+/// Solves `s Y^2 - B Y + C0 = 0` for the ordinate Y over the abscissa `x`, both measured from one end of a curve with chord
+/// (cx, cy) (memo C1). Chooses the root that vanishes with `x`.
+fn solve(cx: f64, cy: f64, s: f64, c: f64, x: f64) -> f64 {
+    if s == 0.0 {
+        return if cx == 0.0 { 0.0 } else { x * cy / cx };
+    }
+    let b = s * cy + c * cx;
+    let c0 = c * x * cy - s * x * (cx - x);
+    let root = (b * b - 4.0 * s * c0).max(0.0).sqrt();
+    let denominator = b + root.copysign(cx);
+    if denominator == 0.0 { 0.0 } else { 2.0 * c0 / denominator }
+}
+
+/// Order of two curves that start at the same vertex, just to the right of it: by direction, then curvature. `Equal` means
+/// that they cannot be told apart there.
+#[must_use]
+pub fn order_at_start(f: &Curve, g: &Curve) -> Ordering {
+    direction(f.normals[0]).cmp(&direction(g.normals[0])).then(by_curvature(f, g))
+}
+
+/// Order of two curves that end at the same vertex, just to the left of it.
+#[must_use]
+pub fn order_at_end(f: &Curve, g: &Curve) -> Ordering {
+    direction(g.normals[1]).cmp(&direction(f.normals[1])).then(by_curvature(f, g))
+}
+
+fn by_curvature(f: &Curve, g: &Curve) -> Ordering {
+    (f.sin * f.inverse_length).total_cmp(&(g.sin * g.inverse_length))
+}
+
+/// Sort key of the normal of a traversal to the right, which lies between 180 degrees (straight down) and 360 (straight
+/// up, stored as 0). A piece a few roundings long may claim a normal outside; it counts as the nearer end.
+fn direction(normal: Ang) -> (bool, Ang) {
+    if normal <= Ang::UP { (true, Ang::RIGHT) } else { (false, normal.max(Ang::LEFT)) }
+}

@@ -1,0 +1,171 @@
+//! Sum segments under construction: their vertices get identities, their arcs the orientation of memo B1.
+
+use crate::angle::Ang;
+use crate::arc::Arc;
+use crate::piece::{Piece, Pieces, Source};
+use crate::smooth::{Kind, Seg, Smooth};
+use crate::sum3::Rounding;
+use glam::DVec2;
+use std::collections::HashMap;
+
+/// Sums of radii up to this, in the unit box, make lines: the circle is no larger than a few roundings.
+const TINY_RADIUS: f64 = 8.0 * f64::EPSILON;
+
+/// A place on the boundary of an operand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Site {
+    Vertex(u32),
+    /// Inside an arc, given by its loop, its place in the loop, and the normal angle.
+    Inside(u32, u32, Ang),
+}
+
+/// The geometry of a site.
+enum Place {
+    Point(DVec2),
+    On(Arc, Ang),
+}
+
+/// A segment of an operand and where it stands.
+#[derive(Clone, Copy, Debug)]
+pub struct Placed<'a> {
+    /// The segment.
+    pub seg: &'a Seg,
+    /// Its loop.
+    pub of_loop: u32,
+    /// Its place in the loop.
+    pub index: u32,
+}
+
+/// Collects the sum segments of two regions.
+pub struct Sums<'a> {
+    a: &'a Smooth,
+    b: &'a Smooth,
+    rounding: Rounding,
+    vertices: HashMap<(Site, Site), u32>,
+    edges: [u32; 2],
+    pieces: Pieces,
+}
+
+impl<'a> Sums<'a> {
+    /// An empty collection for two regions, with the rounding of sum end points (memo A6).
+    #[must_use]
+    pub fn new(a: &'a Smooth, b: &'a Smooth, rounding: Rounding) -> Self {
+        let edges = [a, b].map(|s| s.loops.iter().flat_map(|l| &l.segs).map(|s| s.edge + 1).max().unwrap_or(0));
+        Self { a, b, rounding, vertices: HashMap::new(), edges, pieces: Pieces::default() }
+    }
+
+    /// The pieces collected, with the winding number far away.
+    #[must_use]
+    pub fn finish(mut self, base: i32) -> Pieces {
+        self.pieces.base = [base, 0];
+        self.pieces
+    }
+
+    /// Adds a line of A and an arc or turn of B that has its angle.
+    pub fn line_of_a(&mut self, line: Placed, other: Placed) {
+        let site = site(other, line.seg.a);
+        let ends = [line.seg.tail, line.seg.head].map(|v| self.vertex(Site::Vertex(v), site));
+        self.line(ends, line, other.seg.delta, self.source(line.seg, other.seg));
+    }
+
+    /// Adds a line of B and an arc or turn of A that has its angle.
+    pub fn line_of_b(&mut self, line: Placed, other: Placed) {
+        let site = site(other, line.seg.a);
+        let ends = [line.seg.tail, line.seg.head].map(|v| self.vertex(site, Site::Vertex(v)));
+        self.line(ends, line, other.seg.delta, self.source(other.seg, line.seg));
+    }
+
+    fn line(&mut self, [tail, head]: [u32; 2], line: Placed, delta: f64, source: Source) {
+        let forward = delta > 0.0;
+        let (tail, head) = if forward { (tail, head) } else { (head, tail) };
+        let normal = if forward { line.seg.a } else { line.seg.a.opposite() };
+        self.pieces.pieces.push(Piece { tail, head, a: normal, b: normal, delta: 0.0, r: 0.0, source, operand: 0 });
+    }
+
+    /// Adds a curved segment of A and one of B over their shared angles, counter-clockwise from `low` to `high`.
+    /// At most one of them is a turn.
+    pub fn curved(&mut self, x: Placed, y: Placed, low: Ang, high: Ang) {
+        let [from, to] = [low, high].map(|angle| self.vertex(site(x, angle), site(y, angle)));
+        let source = self.source(x.seg, y.seg);
+        let radius = x.seg.r + y.seg.r;
+        if radius.abs() <= TINY_RADIUS {
+            self.tiny(from, to, x.seg.delta * y.seg.delta > 0.0, source);
+            return;
+        }
+        let increasing = (x.seg.delta > 0.0) == (y.seg.delta > 0.0);
+        let r = if increasing { radius.abs() } else { -radius.abs() };
+        let half = 0.5 * low.turn_to(high);
+        // The rightward normal is the shared angle where the sum runs as its larger summand does, else its opposite.
+        let flip = |angle: Ang| if (r > 0.0) == (radius > 0.0) { angle } else { angle.opposite() };
+        let (low, high) = (flip(low), flip(high));
+        let piece = if increasing {
+            Piece { tail: from, head: to, a: low, b: high, delta: half, r, source, operand: 0 }
+        } else {
+            Piece { tail: to, head: from, a: high, b: low, delta: -half, r, source, operand: 0 }
+        };
+        self.pieces.pieces.push(piece);
+    }
+
+    /// A circle of no size: its ends differ by rounding if at all. A line keeps the convolution closed.
+    fn tiny(&mut self, from: u32, to: u32, increasing: bool, source: Source) {
+        let (tail, head) = if increasing { (from, to) } else { (to, from) };
+        let points = &self.pieces.points;
+        if let Some(normal) = Ang::of_line(points[tail as usize], points[head as usize]) {
+            self.pieces.pieces.push(Piece { tail, head, a: normal, b: normal, delta: 0.0, r: 0.0, source, operand: 0 });
+        } else if tail != head {
+            // Equal coordinates: the arrangement merges the two vertices.
+            let normal = Ang::RIGHT;
+            self.pieces.pieces.push(Piece { tail, head, a: normal, b: normal, delta: 0.0, r: 0.0, source, operand: 0 });
+        }
+    }
+
+    fn source(&self, x: &Seg, y: &Seg) -> Source {
+        let place = |seg: &Seg, edges: u32| if seg.kind == Kind::Turn { edges + seg.tail } else { seg.edge };
+        Source { first: place(x, self.edges[0]), second: place(y, self.edges[1]) }
+    }
+
+    fn place(&self, operand: usize, site: Site) -> Place {
+        let region = [self.a, self.b][operand];
+        match site {
+            Site::Vertex(v) => Place::Point(region.points[v as usize]),
+            Site::Inside(of_loop, index, angle) => {
+                let seg = &region.loops[of_loop as usize].segs[index as usize];
+                let [tail, head] = [seg.tail, seg.head].map(|v| region.points[v as usize]);
+                Place::On(Arc::minor(tail, head, seg.a, seg.b, seg.delta < 0.0), angle)
+            }
+        }
+    }
+
+    fn vertex(&mut self, p: Site, q: Site) -> u32 {
+        if let Some(&known) = self.vertices.get(&(p, q)) {
+            return known;
+        }
+        let point = match (self.place(0, p), self.place(1, q)) {
+            (Place::Point(p), Place::Point(q)) => self.rounding.sum_points(p, DVec2::ZERO, q),
+            (Place::Point(q), Place::On(arc, angle)) | (Place::On(arc, angle), Place::Point(q)) => {
+                arc.point_plus(angle, q, self.rounding)
+            }
+            // Does not occur: shared angles begin and end at an end of one of the summands.
+            (Place::On(x, angle), Place::On(y, other)) => {
+                let (end, way) = y.offset(other);
+                x.point_plus(angle, end + way, self.rounding)
+            }
+        };
+        let index = self.pieces.points.len() as u32;
+        self.pieces.points.push(point);
+        self.vertices.insert((p, q), index);
+        index
+    }
+}
+
+/// The place of a segment at an angle.
+fn site(placed: Placed, angle: Ang) -> Site {
+    let seg = placed.seg;
+    if seg.kind == Kind::Turn || angle == seg.a {
+        Site::Vertex(seg.tail)
+    } else if angle == seg.b {
+        Site::Vertex(seg.head)
+    } else {
+        Site::Inside(placed.of_loop, placed.index, angle)
+    }
+}

@@ -1,0 +1,88 @@
+//! Runs: consecutive half-edges of a loop that come from one source segment, merged into one segment.
+
+use super::Corner;
+use crate::arrangement::curve::Curve;
+use crate::arrangement::graph::{Graph, HalfEdge};
+use crate::piece::{Pieces, Source};
+use glam::DVec2;
+use std::f64::consts::FRAC_PI_2;
+
+/// A part of one piece that a loop runs along.
+#[derive(Clone, Copy, Debug)]
+struct Stretch {
+    from: DVec2,
+    to: DVec2,
+    /// Half the sweep, 0 for a line.
+    delta: f64,
+    curve: u32,
+    piece: u32,
+    source: Source,
+}
+
+/// The corners of a loop.
+pub fn corners(graph: &Graph, pieces: &Pieces, halves: &[HalfEdge]) -> Vec<Corner> {
+    let stretches = merged(stretches(graph, pieces, halves), same_piece);
+    let measured = stretches.into_iter().map(|s| with_sweep(&graph.curves[s.curve as usize], s)).collect();
+    let runs = merged(measured, same_source);
+    runs.iter().map(|s| Corner { point: s.from, delta: s.delta }).collect()
+}
+
+/// One stretch a half-edge; its sweep is still that of the whole piece, as the loop runs along it.
+fn stretches(graph: &Graph, pieces: &Pieces, halves: &[HalfEdge]) -> Vec<Stretch> {
+    let stretch = |&half: &HalfEdge| {
+        let index = graph.edges[(half / 2) as usize].curve;
+        let curve = &graph.curves[index as usize];
+        let [from, to] = [graph.origin(half), graph.target(half)].map(|v| graph.points[v as usize]);
+        let delta = if half.is_multiple_of(2) { curve.delta } else { -curve.delta };
+        let source = pieces.pieces[curve.piece as usize].source;
+        Stretch { from, to, delta, curve: index, piece: curve.piece, source }
+    };
+    halves.iter().map(stretch).collect()
+}
+
+/// Joins neighbours, cyclically, as long as `join` makes one of two.
+fn merged(stretches: Vec<Stretch>, join: impl Fn(&Stretch, &Stretch) -> Option<Stretch>) -> Vec<Stretch> {
+    let n = stretches.len();
+    // Begin at a real corner, so that no run is torn at the seam.
+    let start = (0..n).find(|i| join(&stretches[(i + n - 1) % n], &stretches[*i]).is_none()).unwrap_or(0);
+    let mut out: Vec<Stretch> = Vec::with_capacity(n);
+    for stretch in stretches.iter().cycle().skip(start).take(n) {
+        match out.last().and_then(|last| join(last, stretch)) {
+            Some(joined) => *out.last_mut().unwrap_or(&mut stretch.clone()) = joined,
+            None => out.push(*stretch),
+        }
+    }
+    out
+}
+
+fn same_piece(s: &Stretch, t: &Stretch) -> Option<Stretch> {
+    let same = s.piece == t.piece && s.delta == t.delta && s.from != t.to;
+    (same || collinear(s, t)).then_some(Stretch { to: t.to, ..*s })
+}
+
+/// Two lines in one direction, as far as doubles can tell: the vertex between them lies within a rounding of their union.
+fn collinear(s: &Stretch, t: &Stretch) -> bool {
+    let (u, v) = (s.to - s.from, t.to - t.from);
+    s.delta == 0.0 && t.delta == 0.0 && u.x * v.y == u.y * v.x && u.dot(v) > 0.0
+}
+
+/// Half a circle, with room for the rounding of the angles it was cut at: the most that is merged, so that the chord
+/// stays long.
+const LONGEST: f64 = FRAC_PI_2 + 1e-9;
+
+/// Two arcs of one circle that go on in one direction.
+fn same_source(s: &Stretch, t: &Stretch) -> Option<Stretch> {
+    let sweep = s.delta + t.delta;
+    let same = s.source == t.source && s.delta * t.delta > 0.0 && s.from != t.to && sweep.abs() <= LONGEST;
+    same.then_some(Stretch { to: t.to, delta: sweep, ..*s })
+}
+
+/// Replaces the sweep of the whole piece by that of the stretch: sines are proportional to chords.
+fn with_sweep(curve: &Curve, s: Stretch) -> Stretch {
+    let whole = (s.from == curve.left && s.to == curve.right) || (s.from == curve.right && s.to == curve.left);
+    if s.delta == 0.0 || whole {
+        return s;
+    }
+    let chord = (s.to - s.from).length() / curve.chord().length();
+    Stretch { delta: libm::asin((libm::sin(s.delta) * chord).clamp(-1.0, 1.0)), ..s }
+}

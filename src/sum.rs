@@ -1,0 +1,99 @@
+//! The approximate Minkowski sum: normalise, convolve, arrange, extract (MS 4, with the kinetic convolution).
+
+use crate::arrangement::{Arrangement, arrange};
+use crate::convolution::kinetic;
+use crate::extract::{outline, region};
+use crate::frame::Frame;
+use crate::piece::{Piece, Pieces};
+use crate::region::Region;
+use crate::smooth::{Smooth, SmoothError};
+use crate::sum3::Rounding;
+use std::time::{Duration, Instant};
+
+/// What can be chosen about a sum.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Options {
+    /// How the end points of sum segments are rounded.
+    pub rounding: Rounding,
+}
+
+/// Time of each stage.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Times {
+    /// Normalisation and convolution.
+    pub convolution: Duration,
+    /// Arrangement.
+    pub arrangement: Duration,
+    /// Extraction.
+    pub extraction: Duration,
+}
+
+/// A sum and how it came about.
+#[derive(Clone, Debug)]
+pub struct Sum {
+    /// The sum, in input units.
+    pub region: Region,
+    /// The convolution it was extracted from, in units of `frames`; empty when the sum is the whole plane.
+    pub convolution: Pieces,
+    /// The frames of the two operands.
+    pub frames: (Frame, Frame),
+    /// The arrangement of the convolution.
+    pub arrangement: Arrangement,
+    /// Time of each stage.
+    pub times: Times,
+}
+
+/// Why a sum could not be formed.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum SumError {
+    /// An operand could not be normalised.
+    #[error("operand {operand}: {reason}")]
+    Operand {
+        /// `A` or `B`.
+        operand: char,
+        /// What was wrong.
+        reason: SmoothError,
+    },
+}
+
+/// The Minkowski sum of two valid regions. Invalid regions give an error or a meaningless region, never a panic.
+///
+/// # Errors
+/// [`SumError::Operand`] if a segment has no geometry.
+pub fn sum(a: &Region, b: &Region, options: &Options) -> Result<Sum, SumError> {
+    let start = Instant::now();
+    let frames = Frame::pair(a, b);
+    let smooth =
+        |region, frame, operand| Smooth::new(region, frame).map_err(|reason| SumError::Operand { operand, reason });
+    let (smooth_a, smooth_b) = (smooth(a, &frames.0, 'A')?, smooth(b, &frames.1, 'B')?);
+    let pieces = kinetic(&smooth_a, &smooth_b, options.rounding);
+    let plane = pieces.is_none();
+    let convolution = pieces.unwrap_or_else(|| Pieces { base: [1, 0], ..Pieces::default() });
+    let convolved = Instant::now();
+    let arrangement = arrange(&convolution);
+    let arranged = Instant::now();
+    let loops = outline(&arrangement, &convolution, |w| w[0] != 0);
+    let region = region(&loops, convolution.base[0] != 0 || plane, |p| frames.0.sum_to_input(&frames.1, p));
+    let times =
+        Times { convolution: convolved - start, arrangement: arranged - convolved, extraction: arranged.elapsed() };
+    Ok(Sum { region, convolution, frames, arrangement, times })
+}
+
+impl Sum {
+    /// Cells of negative winding number. The sum takes them in, as MS 4 does; there are none in exact arithmetic.
+    #[must_use]
+    pub fn negative_cells(&self) -> usize {
+        self.arrangement.graph.windings.iter().filter(|w| w[0] < 0).count()
+    }
+
+    /// The convolution in input units, each segment as x0, y0, x1, y1 and its bulge.
+    #[must_use]
+    pub fn convolution_in_input_units(&self) -> Vec<[f64; 5]> {
+        let segment = |piece: &Piece| {
+            let [p, q] = [piece.tail, piece.head]
+                .map(|v| self.frames.0.sum_to_input(&self.frames.1, self.convolution.points[v as usize]));
+            [p.x, p.y, q.x, q.y, libm::tan(0.5 * piece.delta)]
+        };
+        self.convolution.pieces.iter().map(segment).collect()
+    }
+}

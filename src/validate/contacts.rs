@@ -1,0 +1,107 @@
+//! Where the boundary meets itself: crossings, shared stretches and self-touches are defects; the touches of different
+//! loops that remain are returned.
+
+use super::arc::{is_short, overlap, stretch, touches};
+use super::boundary::{Boundary, Part, TOLERANCE};
+use super::boxes::{Box2, Tree};
+use super::line;
+use super::touch::{Spot, Touch};
+use super::{Contact, Invalid, Meeting};
+use glam::DVec2;
+
+/// The tree of the boxes of all parts, those of curved parts widened by the tolerance.
+pub fn tree(boundary: &Boundary) -> Tree {
+    let margin = |part: &Part| if part.is_line() { 0.0 } else { boundary.tolerance };
+    Tree::new(boundary.parts.iter().map(|part| Box2::of(part.tail, part.head, margin(part))).collect())
+}
+
+/// Checks all pairs of parts whose boxes meet; returns the touches of different loops.
+pub fn check(boundary: &Boundary, tree: &Tree) -> Result<Vec<Touch>, Invalid> {
+    let mut touches = Vec::new();
+    tree.pairs(&mut |i, j| {
+        let (i, j) = (i.min(j), i.max(j));
+        if boundary.parts[i].is_line() && boundary.parts[j].is_line() {
+            check_lines(boundary, i, j, &mut touches)
+        } else {
+            check_curves(boundary, i, j, &mut touches)
+        }
+    })?;
+    Ok(touches)
+}
+
+fn check_lines(boundary: &Boundary, i: usize, j: usize, touches: &mut Vec<Touch>) -> Result<(), Invalid> {
+    let (p, q) = (&boundary.parts[i], &boundary.parts[j]);
+    let Some((contact, at)) = line::meet((p.tail, p.head), (q.tail, q.head)) else { return Ok(()) };
+    if contact != Contact::Touch {
+        return Err(defect(boundary, i, j, contact, at));
+    }
+    if boundary.loop_of(i) == boundary.loop_of(j) {
+        let joint = boundary.next(i) == j && at == q.tail || boundary.next(j) == i && at == p.tail;
+        return if joint { Ok(()) } else { Err(defect(boundary, i, j, contact, at)) };
+    }
+    if at == p.head || at == q.head {
+        // The next part, which starts here, sees the same touch.
+        return Ok(());
+    }
+    // Inside a line only the order along it matters, not rounding; but it must not be taken for an end.
+    let inside = |part: &Part| part.share(at).clamp(f64::MIN_POSITIVE, 1.0 - f64::EPSILON);
+    let spot =
+        |index: usize, part: &Part| Spot { part: index, share: if at == part.tail { 0.0 } else { inside(part) } };
+    keep(boundary, Touch { at, spots: [spot(i, p), spot(j, q)], exact: true }, touches)
+}
+
+fn check_curves(boundary: &Boundary, i: usize, j: usize, found: &mut Vec<Touch>) -> Result<(), Invalid> {
+    if let Some(at) = overlap(boundary, i, j) {
+        return Err(defect(boundary, i, j, Contact::Overlap, at));
+    }
+    if folds(boundary, i, j) || folds(boundary, j, i) {
+        let joint = boundary.parts[if boundary.next(i) == j { j } else { i }].tail;
+        return Err(defect(boundary, i, j, Contact::Fold, joint));
+    }
+    for touch in touches(boundary, i, j) {
+        if boundary.loop_of(i) != boundary.loop_of(j) {
+            keep(boundary, touch, found)?;
+            continue;
+        }
+        let [p, q] = touch.spots;
+        let limit = stretch(boundary, i, j);
+        if touch.crosses(boundary) {
+            return Err(defect(boundary, i, j, Contact::Cross, touch.at));
+        }
+        // Curves that leave a common vertex side by side keep within the tolerance for a while.
+        if touch.exact || !(is_short(boundary, p, q, limit) || is_short(boundary, q, p, limit)) {
+            return Err(defect(boundary, i, j, Contact::Touch, touch.at));
+        }
+    }
+    Ok(())
+}
+
+/// Whether the second part follows the first and turns back by 180 degrees, which leaves the sign of the turn undefined
+/// (memo A7).
+fn folds(boundary: &Boundary, i: usize, j: usize) -> bool {
+    let (arriving, leaving) = (boundary.parts[i].direction(1.0), boundary.parts[j].direction(0.0));
+    boundary.next(i) == j
+        && arriving.dot(leaving) < 0.0
+        && arriving.perp_dot(leaving).abs() <= TOLERANCE * arriving.length() * leaving.length()
+}
+
+/// Keeps a touch of different loops, unless it is a crossing.
+fn keep(boundary: &Boundary, touch: Touch, touches: &mut Vec<Touch>) -> Result<(), Invalid> {
+    if touch.crosses(boundary) {
+        let [p, q] = touch.spots;
+        return Err(defect(boundary, p.part, q.part, Contact::Cross, touch.at));
+    }
+    touches.push(touch);
+    Ok(())
+}
+
+fn defect(boundary: &Boundary, i: usize, j: usize, contact: Contact, at: DVec2) -> Invalid {
+    let point = boundary.grid.unscale_point(at);
+    let (first, second) = (boundary.parts[i].place, boundary.parts[j].place);
+    let meeting = Meeting { first, second, contact, x: point.x, y: point.y };
+    if first.loop_index == second.loop_index {
+        Invalid::SelfIntersection(meeting)
+    } else {
+        Invalid::OverlappingLoops(meeting)
+    }
+}

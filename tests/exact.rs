@@ -1,0 +1,68 @@
+//! The engine against the exact oracle on polygons: the certified error is a few eps, and on small integers the result
+//! is the exact sum itself.
+
+use arcsum::frame::Frame;
+use arcsum::region::{Curve, Region};
+use arcsum::sum::{Options, sum};
+use arcsum_oracle::measure::hausdorff;
+use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
+use arcsum_oracle::polygon;
+use arcsum_tests::cases;
+use arcsum_tests::shapes::{Lattice, holed, simple};
+use proptest::prelude::*;
+
+fn plain(region: &Region) -> PlainRegion {
+    let corner = |n: &arcsum::region::Node| {
+        assert_eq!(n.curve, Curve::Line);
+        Corner { x: n.x, y: n.y, bend: Bend::Line }
+    };
+    PlainRegion {
+        loops: region.loops.iter().map(|l| l.iter().map(corner).collect()).collect(),
+        unbounded: region.unbounded,
+    }
+}
+
+fn polygons(lattice: Lattice) -> impl Strategy<Value = Region> {
+    prop_oneof![simple(10, 0.0, lattice), holed(10, 0.0, lattice)]
+}
+
+fn measured(a: &Region, b: &Region) -> (Region, usize, arcsum_oracle::measure::Bracket) {
+    let result = sum(a, b, &Options::default()).expect("valid").region;
+    let exact = polygon::sum(&plain(a), &plain(b)).expect("within budget");
+    let bracket = hausdorff(&plain(&result), &exact, 2_f64.powi(Frame::pair(a, b).0.exp)).expect("measurable");
+    (result, exact.loops().len(), bracket)
+}
+
+proptest! {
+    #![proptest_config(cases(6000))]
+
+    #[test]
+    fn integers_are_summed_exactly(a in polygons(Lattice::Integers(4)), b in polygons(Lattice::Integers(3))) {
+        let (result, loops, bracket) = measured(&a, &b);
+        prop_assert!(bracket.hi <= 2_f64.powi(-50), "{bracket:?}");
+        prop_assert_eq!(result.loops.len(), loops);
+    }
+
+    #[test]
+    fn fifty_bits_in_general_position(a in polygons(Lattice::Fine), b in polygons(Lattice::Fine)) {
+        let (result, loops, bracket) = measured(&a, &b);
+        prop_assert!(bracket.hi <= 2_f64.powi(-49), "{bracket:?}");
+        prop_assert_eq!(result.loops.len(), loops);
+    }
+
+    #[test]
+    fn complements(a in polygons(Lattice::Integers(9)), b in polygons(Lattice::Integers(3))) {
+        let (result, loops, bracket) = measured(&a.complement(), &b);
+        prop_assert!(bracket.hi <= 2_f64.powi(-50), "{bracket:?}");
+        prop_assert_eq!(result.loops.len(), loops);
+        prop_assert!(result.unbounded);
+    }
+
+    #[test]
+    fn coarse_grids_full_of_coincidences(a in polygons(Lattice::Integers(2)), b in polygons(Lattice::Integers(2))) {
+        let (result, loops, bracket) = measured(&a, &b);
+        // Crossings at thirds and fifths are rounded, nothing else is.
+        prop_assert!(bracket.hi <= 2_f64.powi(-52), "{bracket:?}");
+        prop_assert_eq!(result.loops.len(), loops);
+    }
+}

@@ -1,0 +1,83 @@
+//! Random valid regions that shrink: loops around a point, bent at will, with holes.
+
+use arcsum::region::{Curve, Node, Region};
+use arcsum::validate::validate;
+use proptest::prelude::*;
+use std::f64::consts::TAU;
+
+/// How a coordinate is made of a number in [-1, 1].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Lattice {
+    /// As it is.
+    Fine,
+    /// Rounded to integers up to this.
+    Integers(i32),
+}
+
+impl Lattice {
+    fn place(self, x: f64) -> f64 {
+        match self {
+            Self::Fine => x,
+            Self::Integers(n) => (x * f64::from(n)).round(),
+        }
+    }
+}
+
+/// A loop around a centre: gaps between directions, radii, bulges.
+fn loop_around(corners: std::ops::Range<usize>, bend: f64) -> impl Strategy<Value = Vec<(f64, f64, f64)>> {
+    let bulge = if bend == 0.0 { Just(0.0).boxed() } else { prop_oneof![Just(0.0), (-bend..bend)].boxed() };
+    prop::collection::vec((0.2..1.0, 0.25..1.0, bulge), corners)
+}
+
+fn nodes(spokes: &[(f64, f64, f64)], centre: (f64, f64), size: f64, lattice: Lattice) -> Vec<Node> {
+    let total: f64 = spokes.iter().map(|s| s.0).sum();
+    let mut angle = 0.0;
+    let mut out = Vec::new();
+    for &(gap, radius, bulge) in spokes {
+        let x = lattice.place(centre.0 + size * radius * f64::cos(angle));
+        let y = lattice.place(centre.1 + size * radius * f64::sin(angle));
+        let curve = if bulge == 0.0 { Curve::Line } else { Curve::Bulge(bulge) };
+        out.push(Node { x, y, curve });
+        angle += TAU * gap / total;
+    }
+    out
+}
+
+/// A valid region of one loop with up to `most` corners; `bend` is the largest bulge.
+pub fn simple(most: usize, bend: f64, lattice: Lattice) -> impl Strategy<Value = Region> {
+    loop_around(3..most + 1, bend).prop_filter_map("not simple", move |spokes| {
+        let region = Region { loops: vec![nodes(&spokes, (0.0, 0.0), 1.0, lattice)], ..Region::default() };
+        validate(&region).is_ok().then_some(region)
+    })
+}
+
+/// A valid region with up to three holes.
+pub fn holed(most: usize, bend: f64, lattice: Lattice) -> impl Strategy<Value = Region> {
+    let hole = (loop_around(3..6, bend), -0.5..0.5, -0.5..0.5, 0.05..0.4);
+    (loop_around(5..most + 1, bend), prop::collection::vec(hole, 0..4)).prop_filter_map(
+        "not valid",
+        move |(outer, holes)| {
+            let mut region = Region { loops: vec![nodes(&outer, (0.0, 0.0), 1.0, lattice)], ..Region::default() };
+            validate(&region).ok()?;
+            for (spokes, x, y, size) in holes {
+                let bounded = Region { loops: vec![nodes(&spokes, (x, y), size, lattice)], ..Region::default() };
+                region.loops.extend(bounded.complement().loops);
+                if validate(&region).is_err() {
+                    region.loops.pop();
+                }
+            }
+            Some(region)
+        },
+    )
+}
+
+/// Any of the above.
+pub fn any_region() -> impl Strategy<Value = Region> {
+    prop_oneof![
+        simple(8, 0.0, Lattice::Fine),
+        simple(8, 0.4, Lattice::Fine),
+        simple(8, 0.0, Lattice::Integers(4)),
+        holed(8, 0.3, Lattice::Fine),
+        holed(8, 0.0, Lattice::Integers(12)),
+    ]
+}
