@@ -5,7 +5,7 @@ use arcsum_reports::cases::family::{FAMILIES, Family};
 use proptest::prelude::*;
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(8))]
+    #![proptest_config(ProptestConfig::with_cases(4))]
 
     #[test]
     fn every_region_is_valid(seed: u64) {

@@ -49,6 +49,6 @@ impl<'de> Visitor<'de> for Number {
     }
 
     fn visit_str<E: Error>(self, text: &str) -> Result<Self::Value, E> {
-        text.parse().map(Some).map_err(E::custom)
+        text.parse().map(Some).map_err(|_| E::custom(format!("`{text}` is no number")))
     }
 }
