@@ -4,14 +4,14 @@
 //! fact 4); the offset from the nearest axis keeps it everywhere. All functions go through `libm`, so results do not
 //! depend on the platform. Errors are given in eps = 2^-53.
 
-use crate::twofold::two_sum;
+use crate::twofold::{two_sum, twofold_atan};
 use glam::DVec2;
 use std::cmp::Ordering;
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, FRAC_PI_4};
 use std::hash::{Hash, Hasher};
 
 /// pi/2 minus its nearest double.
-const FRAC_PI_2_LOW: f64 = 6.123_233_995_736_766e-17;
+pub(crate) const FRAC_PI_2_LOW: f64 = 6.123_233_995_736_766e-17;
 
 /// The angle of a rightward normal: the nearest axis and the signed offset from it.
 ///
@@ -36,27 +36,33 @@ impl Ang {
     /// The four axes, counter-clockwise from [`Ang::RIGHT`].
     pub const AXES: [Self; 4] = [Self::RIGHT, Self::UP, Self::LEFT, Self::DOWN];
 
-    /// The angle of the direction (nx, ny), to 2 eps of the offset unless it underflows. `None` for the zero vector and
-    /// for coordinates that are not finite.
+    /// The angle of the direction (nx, ny), to 3 eps of the offset unless that falls below 2^-1022. `None` for the zero
+    /// vector and for coordinates that are not finite.
     #[must_use]
     pub fn of_normal(nx: f64, ny: f64) -> Option<Self> {
-        if !(nx.is_finite() && ny.is_finite()) || (nx == 0.0 && ny == 0.0) {
-            return None;
-        }
-        let (axis, minor, major) = match (nx.abs() >= ny.abs(), nx > 0.0, ny > 0.0) {
-            (true, true, _) => (0, ny, nx),
-            (true, false, _) => (2, -ny, -nx),
-            (false, _, true) => (1, -nx, ny),
-            (false, _, false) => (3, nx, -ny),
-        };
-        Some(Self::canonical(axis, libm::atan2(minor, major)))
+        Self::of_twofold((nx, 0.0), (ny, 0.0))
     }
 
-    /// The angle of the rightward normal (dy, -dx) of the line from tail to head (memo fact 1, MS 4.1 corrected), to
-    /// 4 eps of the offset: 1 for each difference and 2 for [`Ang::of_normal`]. `None` if the two are equal or not finite.
+    /// The angle of the rightward normal (dy, -dx) of the line from tail to head (memo fact 1, MS 4.1 corrected), as
+    /// accurate as [`Ang::of_normal`]: the rounding of the differences is made up for. `None` if the two are equal or
+    /// not finite.
     #[must_use]
     pub fn of_line(tail: DVec2, head: DVec2) -> Option<Self> {
-        Self::of_normal(head.y - tail.y, tail.x - head.x)
+        Self::of_twofold(two_sum(head.y, -tail.y), two_sum(tail.x, -head.x))
+    }
+
+    fn of_twofold(x: (f64, f64), y: (f64, f64)) -> Option<Self> {
+        if !(x.0.is_finite() && y.0.is_finite()) || (x.0 == 0.0 && y.0 == 0.0) {
+            return None;
+        }
+        let minus = |(high, low): (f64, f64)| (-high, -low);
+        let (axis, minor, major) = match (x.0.abs() >= y.0.abs(), x.0 > 0.0, y.0 > 0.0) {
+            (true, true, _) => (0, y, x),
+            (true, false, _) => (2, minus(y), minus(x)),
+            (false, _, true) => (1, minus(x), y),
+            (false, _, false) => (3, x, minus(y)),
+        };
+        Some(Self::canonical(axis, twofold_atan(minor, major)))
     }
 
     /// Axis, 0 to 4.
@@ -83,7 +89,8 @@ impl Ang {
         Self::canonical(i32::from(self.k) + 2, self.off)
     }
 
-    /// This angle plus `d` radians, |d| <= pi, the offset right to 1 eps of itself. Adding a negative `d` subtracts.
+    /// This angle plus `d` radians, |d| <= pi, the offset right to 2 eps of itself plus 2^-105. Adding a negative `d`
+    /// subtracts.
     #[must_use]
     pub fn plus(self, d: f64) -> Self {
         let (sum, error) = two_sum(self.off, d);
@@ -99,7 +106,7 @@ impl Ang {
     }
 
     /// The signed turn from this angle to the other in radians, counter-clockwise positive, in (-pi, pi], right to 2 eps
-    /// of itself. Exactly pi for opposite angles; the sign is right even where the value rounds to pi.
+    /// of itself plus 2^-105. Exactly pi for opposite angles; the sign is right even where the value rounds to pi.
     #[must_use]
     pub fn turn_to(self, other: Self) -> f64 {
         let (sum, error) = two_sum(other.off, -self.off);
@@ -115,8 +122,8 @@ impl Ang {
     }
 
     /// Half the sum of the two angles taken in [0, 2 pi) (memo A2): the direction halfway between them, or its opposite
-    /// when they lie more than 180 degrees apart. The offset is right to 2 eps of itself, so sines and cosines stay
-    /// relatively accurate near all multiples of 90 degrees.
+    /// when they lie more than 180 degrees apart. The offset is right to 2 eps of itself plus 2^-105, so sines and
+    /// cosines stay relatively accurate near all multiples of 90 degrees.
     #[must_use]
     pub fn half_sum(self, other: Self) -> Self {
         let (sum, error) = two_sum(self.off, other.off);

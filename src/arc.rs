@@ -4,11 +4,11 @@
 //! formula that loses everything near vertical chords (memo A5). Here the half sweep comes from atan2 with an exact
 //! radicand, and points by rotating and shrinking the chord.
 
-use crate::angle::Ang;
+use crate::angle::{Ang, FRAC_PI_2_LOW};
 use crate::sum3::Rounding;
-use crate::twofold::{square_terms, threefold_sum, two_sum};
+use crate::twofold::{square_terms, threefold_sum, two_sum, twofold_atan, twofold_sqrt};
 use glam::DVec2;
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// How much longer than the diameter a chord may be, in eps = 2^-53 of the diameter, before it is an error and not the
 /// rounding of a half circle whose radius was printed with 15 digits.
@@ -43,10 +43,10 @@ pub struct Arc {
     sine: f64,
 }
 
-/// Half the sweep, signed like `r`, of the minor arc of signed radius `r` (memo A3), to 3 eps of itself.
+/// Half the sweep, signed like `r`, of the minor arc of signed radius `r` (memo A3), to 4 eps of itself.
 ///
-/// tan delta = L / sqrt(4 r^2 - L^2) with the radicand as if in threefold precision. A chord up to [`CHORD_SLACK`] eps
-/// longer than the diameter counts as a half circle.
+/// tan delta = L / sqrt(4 r^2 - L^2), both in twofold precision. A chord up to [`CHORD_SLACK`] eps longer than the
+/// diameter counts as a half circle.
 ///
 /// # Errors
 /// [`ArcError`], as its variants say.
@@ -58,28 +58,36 @@ pub fn half_sweep_of_radius(tail: DVec2, head: DVec2, r: f64) -> Result<f64, Arc
     if r == 0.0 {
         return Err(ArcError::ZeroSweep);
     }
-    let length = libm::hypot(chord.x, chord.y);
-    if length > 4.0 * r.abs() {
-        return Err(ArcError::ChordTooLong);
-    }
-    // Beyond this ratio the chord no longer shows in the radicand: relative error (L/2r)^2/2 < 2^-61.
-    if r.abs() >= length * f64::from(1 << 30) {
-        return Ok(libm::copysign(libm::atan2(length, 2.0 * r.abs()), r));
-    }
-    let exponent = -libm::frexp(r).1;
+    // Units in which the squares of comparable numbers neither overflow nor underflow.
+    let exponent = -libm::frexp(chord.abs().max_element()).1;
     let scaled = |x: f64| libm::ldexp(x, exponent);
-    let square = |h: f64, t: f64| {
+    let difference = |h: f64, t: f64| {
         let (difference, error) = two_sum(h, -t);
-        square_terms((scaled(difference), scaled(error)), -1.0)
+        (scaled(difference), scaled(error))
     };
-    let diameter = square_terms((scaled(r), 0.0), 4.0);
-    let mut terms = [diameter, square(head.x, tail.x), square(head.y, tail.y)].concat();
-    let radicand = threefold_sum(&mut terms);
-    let slack = CHORD_SLACK * f64::EPSILON;
-    if radicand < -slack * diameter[0] {
-        return Err(ArcError::ChordTooLong);
+    let chord = [difference(head.x, tail.x), difference(head.y, tail.y)];
+    let delta = half_sweep(chord, scaled(r.abs())).ok_or(ArcError::ChordTooLong)?;
+    Ok(libm::copysign(delta, r))
+}
+
+/// The half sweep to a chord with coordinates of about 1 and a positive radius; `None` if the chord is too long.
+fn half_sweep([x, y]: [(f64, f64); 2], r: f64) -> Option<f64> {
+    let length = twofold_sqrt(threefold_sum(&mut [square_terms(x, 1.0), square_terms(y, 1.0)].concat()));
+    // Beyond this ratio the chord no longer shows in the radicand: relative error (L/2r)^2/2 < 2^-61.
+    if r >= length.0 * f64::from(1 << 30) {
+        return Some(twofold_atan(length, (2.0 * r, 0.0)));
     }
-    Ok(libm::copysign(libm::atan2(scaled(length), libm::sqrt(radicand.max(0.0))), r))
+    let diameter = square_terms((r, 0.0), 4.0);
+    let radicand = threefold_sum(&mut [diameter, square_terms(x, -1.0), square_terms(y, -1.0)].concat());
+    if radicand.0 < -CHORD_SLACK * f64::EPSILON * diameter[0] {
+        return None;
+    }
+    let rest = twofold_sqrt(radicand);
+    if length.0 <= rest.0 {
+        return Some(twofold_atan(length, rest));
+    }
+    let (delta, error) = two_sum(FRAC_PI_2, -twofold_atan(rest, length));
+    Some(delta + (error + FRAC_PI_2_LOW))
 }
 
 /// Half the sweep of the arc with this bulge, 2 atan(bulge), in (-pi, pi), to 2 eps of itself.
@@ -91,7 +99,7 @@ pub fn half_sweep_of_bulge(bulge: f64) -> Result<f64, ArcError> {
     Ok(2.0 * libm::atan(bulge))
 }
 
-/// The signed radius of the arc with this bulge, L (1 + b^2) / (4 b), to 6 eps of itself; infinite if it overflows.
+/// The signed radius of the arc with this bulge, L (1 + b^2) / (4 b), to 8 eps of itself; infinite if it overflows.
 ///
 /// # Errors
 /// [`ArcError`], as its variants say.
@@ -134,7 +142,7 @@ impl Arc {
     /// or clockwise. The angles rule: the half sweep is (b - a)/2 of the angles as given (memo A1).
     #[must_use]
     pub fn minor(tail: DVec2, head: DVec2, a: Ang, b: Ang, clockwise: bool) -> Self {
-        let delta = half_sweep(a, b, clockwise);
+        let delta = half_turn(a, b, clockwise);
         Self { tail, head, a, b, delta, sine: libm::sin(delta) }
     }
 
@@ -179,8 +187,8 @@ impl Arc {
         self.delta
     }
 
-    /// The point at normal angle `theta` between `a` and `b`, as its nearer end and the way from there (memo A5), which
-    /// is right to 6 eps of its own length across the arc. Exactly an end and zero if `theta` is an end angle.
+    /// The point at normal angle `theta` between `a` and `b`, as its nearer end and the way from there (memo A5), right
+    /// to 6 eps of the chord if the arc is monotone. Exactly an end and zero if `theta` is an end angle.
     #[must_use]
     pub fn offset(&self, theta: Ang) -> (DVec2, DVec2) {
         if theta == self.a {
@@ -190,10 +198,14 @@ impl Arc {
             return (self.head, DVec2::ZERO);
         }
         let clockwise = self.sine < 0.0;
-        let u = half_sweep(self.a, theta, clockwise);
-        let v = half_sweep(theta, self.b, clockwise);
+        let u = half_turn(self.a, theta, clockwise);
+        let v = half_turn(theta, self.b, clockwise);
         let chord = self.head - self.tail;
-        if u.abs() <= v.abs() {
+        if u == v && u.abs() <= FRAC_PI_4 {
+            // Halfway the chord and the sagitta are better: exact on half circles.
+            let tan_u = self.sine / (1.0 + libm::cos(self.delta));
+            (self.tail, (chord - chord.perp() * tan_u) / 2.0)
+        } else if u.abs() <= v.abs() {
             (self.tail, rotated(chord, -v) * (libm::sin(u) / self.sine))
         } else {
             (self.head, rotated(chord, u) * (-libm::sin(v) / self.sine))
@@ -251,7 +263,7 @@ fn strictly_inside(lo: Ang, x: Ang, hi: Ang) -> bool {
 }
 
 /// Half the turn from one angle to the other in the given sense, in [0, pi) or (-pi, 0].
-fn half_sweep(from: Ang, to: Ang, clockwise: bool) -> f64 {
+fn half_turn(from: Ang, to: Ang, clockwise: bool) -> f64 {
     let half = from.turn_to(to) / 2.0;
     if clockwise && half > 0.0 {
         half - PI

@@ -1,7 +1,7 @@
-//! Error-free transformations: a sum or product of doubles as a rounded value and its exact error (Dekker; MS 4.1 cites
-//! them as reference 18), and sums of many terms as if in threefold precision.
+//! Twofold numbers: a double and its error, as a pair (Dekker; MS 4.1 cites the sum as reference 18), and sums of many
+//! terms as if in threefold precision.
 //!
-//! Exact as long as nothing overflows and no product falls below 2^-969.
+//! The sum and the product of two doubles are exact as long as nothing overflows and no product falls below 2^-969.
 
 /// The rounded sum and its exact error.
 #[must_use]
@@ -18,20 +18,42 @@ pub fn two_product(x: f64, y: f64) -> (f64, f64) {
     (p, libm::fma(x, y, -p))
 }
 
-/// The sum of the terms, rounded about once: error at most 2^-52 |sum| + (n 2^-53)^3 times the sum of the absolute
-/// values (Ogita, Rump, Oishi, *Accurate sum and dot product*, algorithm SumK with K = 3). Overwrites the terms.
+/// The square root of a twofold number that is not negative, to about 2^-104 of itself.
 #[must_use]
-pub fn threefold_sum(terms: &mut [f64]) -> f64 {
-    for _ in 0..2 {
-        for i in 1..terms.len() {
-            (terms[i], terms[i - 1]) = two_sum(terms[i], terms[i - 1]);
-        }
-    }
-    terms.iter().sum()
+pub fn twofold_sqrt((x, error): (f64, f64)) -> (f64, f64) {
+    let root = libm::sqrt(x);
+    if root > 0.0 { (root, (libm::fma(-root, root, x) + error) / (2.0 * root)) } else { (0.0, 0.0) }
 }
 
-/// The two terms of the square of `x + error`, times `scale`, to be added to a [`threefold_sum`]. `scale` is a power of
-/// two or its negative, so that multiplying by it is exact.
+/// The arc tangent of y/x for twofold numbers with 0 <= |y| <= x and x > 0, to 3 eps of itself, eps = 2^-53: the arc
+/// tangent of the rounded quotient, and one linear correction for all that was rounded off before.
+#[must_use]
+pub fn twofold_atan((y, y_error): (f64, f64), (x, x_error): (f64, f64)) -> f64 {
+    let quotient = y / x;
+    let rest = (libm::fma(-quotient, x, y) + (y_error - quotient * x_error)) / x;
+    libm::atan(quotient) + rest / (1.0 + quotient * quotient)
+}
+
+/// The sum of the terms as if in threefold precision: error at most 2^-105 |sum| + (n 2^-53)^3 times the sum of the
+/// absolute values (Ogita, Rump, Oishi, *Accurate sum and dot product*, algorithm SumK with K = 3). Overwrites the terms.
+#[must_use]
+pub fn threefold_sum(terms: &mut [f64]) -> (f64, f64) {
+    for _ in 0..2 {
+        add_up(terms);
+    }
+    let Some((last, rest)) = terms.split_last() else { return (0.0, 0.0) };
+    two_sum(*last, rest.iter().sum())
+}
+
+/// Moves as much of the sum as fits to the last term, keeping the exact sum of all.
+fn add_up(terms: &mut [f64]) {
+    for i in 1..terms.len() {
+        (terms[i], terms[i - 1]) = two_sum(terms[i], terms[i - 1]);
+    }
+}
+
+/// The terms of the square of a twofold number times `scale`, for a [`threefold_sum`]. `scale` is a power of two or its
+/// negative, so that multiplying by it is exact.
 #[must_use]
 pub fn square_terms((x, error): (f64, f64), scale: f64) -> [f64; 5] {
     let (p, p_low) = two_product(x, x);
@@ -46,9 +68,7 @@ pub fn exact_sign(mut terms: Vec<f64>) -> f64 {
     // longer overlap and the last one outweighs the rest. As many passes as terms are enough.
     for _ in 0..terms.len() {
         let before = terms.clone();
-        for i in 1..terms.len() {
-            (terms[i], terms[i - 1]) = two_sum(terms[i], terms[i - 1]);
-        }
+        add_up(&mut terms);
         if terms == before {
             break;
         }

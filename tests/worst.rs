@@ -1,0 +1,204 @@
+//! The search for worst inputs: draw, climb, compare with a bound, and keep the worst found as a file.
+//!
+//! `worst/NAME.csv` holds the worst inputs known, one a line: the error in eps = 2^-53, then the input. Every run measures
+//! them again; one that has become worse fails. With `ARCSUM_KEEP_WORST` set, a run rewrites the files with what it found.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::PathBuf;
+
+/// How many lines a file keeps.
+const KEPT: usize = 4;
+
+/// A small generator of random numbers (splitmix64): the same on every platform and for every version of other crates.
+#[derive(Clone, Debug)]
+pub struct Random(u64);
+
+impl Random {
+    /// Starts from a seed.
+    #[must_use]
+    pub fn new(seed: u64) -> Self {
+        Self(seed)
+    }
+
+    /// 64 random bits.
+    pub fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        mixed ^ (mixed >> 31)
+    }
+
+    /// A number below `n`.
+    pub fn below(&mut self, n: u64) -> u64 {
+        self.bits() % n
+    }
+
+    /// Uniform in [lo, hi).
+    pub fn uniform(&mut self, lo: f64, hi: f64) -> f64 {
+        lo + (hi - lo) * (self.bits() >> 11) as f64 * f64::EPSILON / 2.0
+    }
+
+    /// 10 to a uniform power between lo and hi.
+    pub fn decade(&mut self, lo: f64, hi: f64) -> f64 {
+        10f64.powf(self.uniform(lo, hi))
+    }
+
+    /// 1 or -1.
+    pub fn sign(&mut self) -> f64 {
+        if self.bits() & 1 == 0 { 1.0 } else { -1.0 }
+    }
+
+    /// One of the choices.
+    pub fn pick<T: Copy>(&mut self, choices: &[T]) -> T {
+        choices[self.below(choices.len() as u64) as usize]
+    }
+
+    /// A direction of length about 1: anywhere, near a diagonal, or near an axis down to subnormal numbers.
+    pub fn direction(&mut self) -> [f64; 2] {
+        let (major, sign) = (self.uniform(0.5, 1.0), self.sign());
+        let minor = match self.below(4) {
+            0 => self.uniform(0.0, 1.0),
+            1 => major * (1.0 - self.decade(-17.0, -1.0)),
+            2 => major * self.decade(-17.0, 0.0),
+            _ => major * self.decade(-320.0, -8.0),
+        };
+        let mut direction = [sign * major, minor * self.sign()];
+        direction.rotate_left(self.below(2) as usize);
+        direction
+    }
+
+    /// A tail and a head in the unit box about the origin, a chord of any length from 1e-12 up between them.
+    pub fn chord(&mut self) -> [f64; 4] {
+        let length = if self.below(2) == 0 { 1.0 } else { self.decade(-12.0, 0.0) };
+        let way = self.direction().map(|x| x * length);
+        // Half the time about the origin or on an axis, so that chords keep digits below the last place of 1.
+        let mut place = |way: f64| {
+            let place = self.uniform(-0.5, 0.5) * self.pick(&[1.0, 1.0, 0.0, 1e-9]);
+            if (place + way).abs() > 0.5 { -way / 2.0 } else { place }
+        };
+        let tail = way.map(&mut place);
+        [tail[0], tail[1], tail[0] + way[0], tail[1] + way[1]]
+    }
+
+    /// The number moved by up to `n` doubles either way.
+    pub fn jitter(&mut self, x: f64, n: u64) -> f64 {
+        let steps = self.below(2 * n + 1) as i64 - n as i64;
+        let magnitude = (x.abs().to_bits() as i64 + steps).max(0);
+        f64::from_bits(magnitude as u64).copysign(x)
+    }
+}
+
+/// A formula with a bound for its error.
+pub struct Formula {
+    /// Name, also of the file.
+    pub name: &'static str,
+    /// What the error may be at most, in eps; infinite for a formula known to fail.
+    pub bound: f64,
+    /// Draws an input.
+    pub draw: fn(&mut Random) -> Vec<f64>,
+    /// The error in eps, or `None` if the formula is not for this input.
+    pub error: fn(&[f64]) -> Option<f64>,
+}
+
+/// An input and its error in eps.
+#[derive(Clone, Debug)]
+pub struct Worst {
+    /// The error.
+    pub error: f64,
+    /// The input.
+    pub input: Vec<f64>,
+}
+
+impl Formula {
+    /// Measures the kept inputs, then searches with `draws` random inputs and climbs from the worst. Prints a row of the
+    /// accuracy table.
+    ///
+    /// # Panics
+    /// If an error exceeds the bound or a kept input has become worse.
+    pub fn check(&self, draws: usize) {
+        let mut kept = self.kept();
+        let known = kept.first().map_or(0.0, |w| w.error);
+        for old in &mut kept {
+            let now = (self.error)(&old.input).unwrap_or(f64::INFINITY);
+            assert!(now <= old.error * (1.0 + 1e-9), "{}: kept input {old:?} rose to {now} eps", self.name);
+            old.error = now;
+        }
+        let found = self.search(draws, &kept);
+        println!("{:28} worst {:12.4} eps, known {:10.4}, bound {:8.3}", self.name, found[0].error, known, self.bound);
+        assert!(found[0].error <= self.bound, "{}: {:?} exceeds {} eps", self.name, found[0], self.bound);
+        if std::env::var_os("ARCSUM_KEEP_WORST").is_some() {
+            self.keep(&found);
+        }
+    }
+
+    /// The worst inputs of a search, worst first, without a verdict: for formulas that are known to fail.
+    #[must_use]
+    pub fn search(&self, draws: usize, start: &[Worst]) -> Vec<Worst> {
+        let mut random = Random::new(self.name.bytes().fold(7, |h: u64, b| h.wrapping_mul(31) + u64::from(b)));
+        let mut worst: Vec<Worst> = start.to_vec();
+        for _ in 0..draws {
+            let input = (self.draw)(&mut random);
+            self.offer(&mut worst, input);
+        }
+        for one in &mut worst {
+            *one = self.climb(&mut random, one.clone(), draws / (2 * KEPT));
+        }
+        worst.sort_by(|x, y| y.error.total_cmp(&x.error));
+        assert!(!worst.is_empty(), "{}: no input was measured", self.name);
+        worst
+    }
+
+    fn offer(&self, worst: &mut Vec<Worst>, input: Vec<f64>) {
+        let Some(error) = (self.error)(&input) else { return };
+        let place = worst.partition_point(|w| w.error >= error);
+        if place < KEPT {
+            worst.insert(place, Worst { error, input });
+            worst.truncate(KEPT);
+        }
+    }
+
+    /// Changes single numbers by a few last places or a small factor as long as the error grows.
+    fn climb(&self, random: &mut Random, mut best: Worst, steps: usize) -> Worst {
+        for _ in 0..steps {
+            let mut input = best.input.clone();
+            let i = random.below(input.len() as u64) as usize;
+            input[i] = match random.below(3) {
+                0 => random.jitter(input[i], 3),
+                1 => random.jitter(input[i], 1000),
+                _ => input[i] * (1.0 + random.uniform(-1.0, 1.0) * random.decade(-14.0, -1.0)),
+            };
+            if let Some(error) = (self.error)(&input).filter(|&e| e > best.error) {
+                best = Worst { error, input };
+            }
+        }
+        best
+    }
+
+    fn path(&self) -> PathBuf {
+        PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("worst").join(format!("{}.csv", self.name))
+    }
+
+    fn kept(&self) -> Vec<Worst> {
+        let Ok(text) = fs::read_to_string(self.path()) else { return Vec::new() };
+        let number = |s: &str| s.trim().parse::<f64>().unwrap_or_else(|e| panic!("{}: {s}: {e}", self.name));
+        let line = |l: &str| {
+            let numbers: Vec<f64> = l.split(',').map(number).collect();
+            Worst { error: numbers[0], input: numbers[1..].to_vec() }
+        };
+        text.lines().filter(|l| !l.starts_with('#')).map(line).collect()
+    }
+
+    fn keep(&self, found: &[Worst]) {
+        let mut text = format!("# {}: error in eps = 2^-53, then the input\n", self.name);
+        for worst in found {
+            let _ = write!(text, "{:e}", worst.error);
+            for x in &worst.input {
+                let _ = write!(text, ",{x:e}");
+            }
+            text.push('\n');
+        }
+        fs::create_dir_all(self.path().parent().expect("a file has a folder")).expect("worst/ can be made");
+        fs::write(self.path(), text).expect("worst/ can be written");
+    }
+}
