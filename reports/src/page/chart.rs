@@ -127,3 +127,7 @@ pub fn legend(engines: &[&str]) -> String {
     };
     format!("<ul class=\"legend\">{}</ul>\n", engines.iter().enumerate().map(item).collect::<String>())
 }
+
+#[cfg(test)]
+#[path = "chart_tests.rs"]
+mod tests;

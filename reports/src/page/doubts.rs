@@ -13,10 +13,13 @@ const NAMED: usize = 12;
 /// Greatest difference of `bits` from -log2(mu_hi) that printing may leave.
 const BITS_SLACK: f64 = 1e-6;
 
+/// Whether a row contradicts itself in one way.
+type RowTest = fn(&Row) -> bool;
+
 /// The doubts as a list, empty when there are none. `broken` are sentences on records that could not be used.
 pub fn html(entries: &[Entry], broken: &[String]) -> String {
     let mut doubts: Vec<String> = versions(entries);
-    let of_row: [(&str, fn(&Row) -> bool); 5] = [
+    let of_row: [(&str, RowTest); 5] = [
         ("an error that is NaN or negative", |r| any(r, |v| v.is_nan() || v < 0.0)),
         ("mu_lo greater than mu_hi", |r| r.mu_lo.zip(r.mu_hi).is_some_and(|(lo, hi)| lo > hi)),
         ("bits that are not -log2(mu_hi)", bits_disagree),
@@ -43,8 +46,9 @@ fn bits_disagree(row: &Row) -> bool {
     match (row.bits, row.mu_hi) {
         (Some(bits), Some(mu)) => {
             let expected = -mu.log2();
-            // Equal infinities have no difference.
-            bits != expected && !((bits - expected).abs() <= BITS_SLACK)
+            let off = (bits - expected).abs();
+            // Equal infinities differ by NaN, and NaN is no agreement otherwise.
+            bits != expected && (off.is_nan() || off > BITS_SLACK)
         }
         (None, None) => false,
         _ => true,

@@ -8,7 +8,7 @@ use super::path::decimal;
 use super::rank::{self, ENOUGH_BITS};
 
 /// Bins left free between the special places at the ends and the bits.
-const GAP: i32 = 1;
+const GAP: f64 = 2.0;
 
 /// One histogram an engine, all over the same range.
 pub fn html(entries: &[Entry], engines: &[&str]) -> String {
@@ -23,7 +23,7 @@ pub fn html(entries: &[Entry], engines: &[&str]) -> String {
 fn large(engine: &str, entries: &[&Entry], range: (i32, i32)) -> String {
     let bins = Bins::of(entries.iter().copied(), range);
     let (low, high) = (f64::from(bins.low), f64::from(bins.low) + bins.counts.len() as f64);
-    let (none, exact) = (low - f64::from(GAP) - 1.0, high + f64::from(GAP));
+    let (none, exact) = (low - GAP - 1.0, high + GAP);
     let top = bins.highest().max(1);
     let chart = Chart { height: 190.0, across: (none - 0.5, exact + 1.5), up: (0.0, top as f64) };
     let mut body = chart.left(0.0, "0") + &chart.left(top as f64, &number::count(top));

@@ -1,6 +1,6 @@
 //! The page of a run: `index.html` and one SVG picture a case, made from the files of an output folder alone.
 //!
-//! [`write`] reads `results.csv`, the other tables, `environment.json` and the records in `cases/`, and returns the path
+//! [`write()`] reads `results.csv`, the other tables, `environment.json` and the records in `cases/`, and returns the path
 //! of the page. No engine runs and nothing is fetched: style and script are inside, and the page opens from disk. The
 //! same files give the same page, byte for byte.
 //!
@@ -172,9 +172,11 @@ fn charts(folder: &Folder) -> String {
         return "<p>No rows, no distribution.</p>\n".to_owned();
     }
     let engines = rank::distinct(entries.iter().map(|e| e.row.engine.as_str()));
-    let wide = |html: String| format!("<div>{html}</div>");
+    let histograms = histogram::html(entries, &engines);
     let (below, size) = (cumulative::html(entries, &engines), scatter::html(entries, &engines));
-    format!("<div class=\"charts\">{}{}{}</div>\n", histogram::html(entries, &engines), wide(below), wide(size))
+    format!(
+        "<div class=\"charts\">{histograms}</div>\n<div class=\"charts\"><div>{below}</div><div>{size}</div></div>\n"
+    )
 }
 
 impl Section {

@@ -14,7 +14,7 @@ pub enum Toward {
 /// `value` with three significant digits as `1.23e-16`, moved only `toward` the given side.
 pub fn short(value: f64, toward: Toward) -> String {
     if !value.is_finite() || value == 0.0 {
-        return plain(value);
+        return exactly(value);
     }
     let nearest = format!("{value:.2e}");
     let read: f64 = nearest.parse().unwrap_or(value);
@@ -27,7 +27,7 @@ pub fn short(value: f64, toward: Toward) -> String {
 
 /// Bits with one decimal, rounded down.
 pub fn bits(value: f64) -> String {
-    if value.is_finite() { format!("{:.1}", (value * 10.0).floor() / 10.0) } else { plain(value) }
+    if value.is_finite() { format!("{:.1}", (value * 10.0).floor() / 10.0) } else { exactly(value) }
 }
 
 /// `count` with commas between the thousands.
@@ -42,7 +42,14 @@ pub fn counted(n: usize, noun: &str) -> String {
     format!("{} {noun}{}", count(n), if n == 1 { "" } else { "s" })
 }
 
-fn plain(value: f64) -> String {
+/// Three significant digits to the nearest, written out where that is short.
+pub fn plain(value: f64) -> String {
+    let digits = short(value, Toward::Nearest);
+    let tame = (1e-3..1e6).contains(&value.abs());
+    digits.parse::<f64>().ok().filter(|_| tame).map_or(digits, |v| v.to_string())
+}
+
+fn exactly(value: f64) -> String {
     if value.is_nan() { "NaN".to_owned() } else { value.to_string() }
 }
 
@@ -74,6 +81,7 @@ mod tests {
         assert_eq!(short(0.0, Toward::Up), "0");
         assert_eq!(short(f64::INFINITY, Toward::Up), "inf");
         assert_eq!(short(f64::NAN, Toward::Up), "NaN");
+        assert_eq!([plain(14.04), plain(0.05), plain(3e-9), plain(1.84e7)], ["14", "0.05", "3.00e-9", "1.84e7"]);
         assert_eq!(bits(52.99), "52.9");
         assert_eq!(bits(-0.01), "-0.1");
         assert_eq!(bits(f64::INFINITY), "inf");

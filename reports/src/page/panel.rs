@@ -2,25 +2,25 @@
 //! enlarged. Each is a small drawing with a heading and notes; nothing is left out without a note that says so.
 
 use super::edge::Edge;
-use super::number::{self, Toward};
+use super::number;
 use super::path::{self, Drawing, decimal};
 use super::view::{Frame, View};
 use crate::row::Record;
 use arcsum::region::Region;
 
 /// Pixels of the larger side of the sum, and of the inset.
-const SIDE: f64 = 280.0;
+const SIDE: f64 = 230.0;
 /// White around a frame, as a part of its scale: pixels.
 const MARGIN: f64 = 12.0;
 /// Strokes of a region after which its remaining small loops are left out.
 const MAX_STROKES: usize = 20_000;
 /// Segments of a convolution that are drawn.
 const MAX_SEGMENTS: usize = 3_000;
-/// The inset's side as a part of the sum's, where the error itself is too small to be seen.
+/// The side of the first inset as a part of the sum's.
 const INSET: f64 = 0.05;
-/// From this part of the sum on the error can be seen through doubles, and the inset is fitted to it.
+/// From this part of the sum on the error can be seen through doubles, and a second inset is fitted to it.
 const VISIBLE_MU: f64 = 1e-9;
-/// The inset's side in errors, once fitted.
+/// The side of the fitted inset in errors.
 const INSET_IN_MU: f64 = 20.0;
 
 /// A drawing with its words.
@@ -42,7 +42,7 @@ pub fn panels(record: &Record) -> Vec<Panel> {
     let mut panels = vec![stage.operand("A", "a", &record.a), stage.operand("B", "b", &record.b)];
     panels.push(stage.convolution(record));
     panels.push(stage.result(record));
-    panels.extend(stage.inset(record));
+    panels.extend(stage.insets(record));
     panels
 }
 
@@ -132,31 +132,33 @@ impl Stage {
         Panel { heading: format!("Result: {}", sizes(result)), notes, size: view.size(), body }
     }
 
-    /// The surroundings of the worst point: fitted to the error where it can be seen, else a fixed part of the sum.
-    fn inset(&self, record: &Record) -> Option<Panel> {
-        let worst = self.worst?;
+    /// The surroundings of the worst point: a fixed part of the sum, and closer up an error that can be seen.
+    fn insets(&self, record: &Record) -> Vec<Panel> {
+        let Some(worst) = self.worst else { return Vec::new() };
         let whole = self.sum.side();
-        let fitted = self.mu.is_finite() && self.mu > VISIBLE_MU * whole;
-        let side = if fitted { (INSET_IN_MU * self.mu).min(whole) } else { INSET * whole };
-        let view = View { frame: Frame::around(worst, side), scale: SIDE / side };
-        let zoom = view.scale / self.scale;
-        let mut notes = vec![format!("at ({}, {})", place(worst[0]), place(worst[1]))];
+        let fitted = (INSET_IN_MU * self.mu).min(whole);
+        let sides = match self.mu > VISIBLE_MU * whole {
+            true if fitted >= INSET * whole => vec![fitted],
+            true => vec![INSET * whole, fitted],
+            false => vec![INSET * whole],
+        };
+        let view = |side: f64| View { frame: Frame::around(worst, side), scale: SIDE / side };
+        sides.into_iter().map(|side| self.inset(record, &view(side))).collect()
+    }
+
+    fn inset(&self, record: &Record, view: &View) -> Panel {
+        let mut notes = vec![format!("{} of the sum's side", number::plain(view.frame.side() / self.sum.side()))];
         if self.mu.is_finite() {
-            notes.push(format!("mu is {} px here", number::short(self.mu * view.scale, Toward::Nearest)));
+            notes.push(format!("mu_lo is {} px here", number::plain(self.mu * view.scale)));
         }
-        let mut body = String::new();
-        if let Some(result) = &record.result {
-            body.push_str(&drawn(result, "r", &view).0);
-        }
-        let drawing = path::convolution(&record.convolution, &view, MAX_SEGMENTS);
+        let result = record.result.as_ref().map_or(String::new(), |result| drawn(result, "r", view).0);
+        let drawing = path::convolution(&record.convolution, view, MAX_SEGMENTS);
         if drawing.shown < drawing.of {
             notes.push(format!("{} of {} segments drawn", number::count(drawing.shown), number::count(drawing.of)));
         }
-        body.push_str(&stroked("c", &drawing.data));
-        body.push_str(&self.cross(&view));
-        let zoom =
-            if zoom < 10.0 { decimal((zoom * 10.0).round() / 10.0) } else { number::count(zoom.round() as usize) };
-        Some(Panel { heading: format!("Worst point, {zoom} times larger"), notes, size: view.size(), body })
+        let body = result + &stroked("c", &drawing.data) + &self.cross(view);
+        let heading = format!("Worst point, {} times larger", number::plain(view.scale / self.scale));
+        Panel { heading, notes, size: view.size(), body }
     }
 
     /// Cross hairs around the worst point, open in the middle.
@@ -205,12 +207,6 @@ fn stroked(class: &str, data: &str) -> String {
 fn sizes(region: &Region) -> String {
     let (segments, loops) = (region.segments(), region.loops.len());
     format!("{}, {}", number::counted(segments, "segment"), number::counted(loops, "loop"))
-}
-
-/// A coordinate with six significant digits.
-fn place(value: f64) -> String {
-    let text = format!("{value:.5e}");
-    text.parse::<f64>().map_or(text, |v| v.to_string())
 }
 
 #[cfg(test)]

@@ -27,17 +27,23 @@ fn panels_share_one_scale() {
 fn zoom_is_stated() {
     let panels = panels(&plain_record());
     let words = heading_and_notes(&panels, "Worst point");
-    assert_eq!(words, "Worst point, 20 times larger | at (2, 2) | mu is 1.40e-12 px here");
+    assert_eq!(words, "Worst point, 20 times larger | 0.05 of the sum's side | mu_lo is 1.15e-12 px here");
 }
 
 #[test]
-fn inset_is_fitted_to_an_error_that_can_be_seen() {
+fn an_error_that_can_be_seen_has_its_own_inset() {
     let mut record = plain_record();
     record.row.mu_lo = Some(1e-3);
-    let fitted = heading_and_notes(&panels(&record), "Worst point");
-    assert_eq!(fitted, "Worst point, 100 times larger | at (2, 2) | mu is 1.40e1 px here");
-    record.row.mu_lo = Some(10.0);
-    assert!(heading_and_notes(&panels(&record), "Worst point").starts_with("Worst point, 1 times larger"));
+    let all = panels(&record);
+    assert!(all[4].heading.ends_with(" 20 times larger"));
+    let close = heading_and_notes(&all[5..], "Worst point");
+    assert_eq!(close, "Worst point, 100 times larger | 0.01 of the sum's side | mu_lo is 11.5 px here");
+    for mu in [10.0, f64::INFINITY] {
+        record.row.mu_lo = Some(mu);
+        let all = panels(&record);
+        assert_eq!(all.len(), 5);
+        assert!(all[4].heading.ends_with(" 1 times larger"));
+    }
 }
 
 #[test]
@@ -73,7 +79,8 @@ fn a_wild_result_does_not_shrink_the_rest() {
     record.result = Some(sample::region(vec![sample::rectangle(0.0, 0.0, 1e9, 1.0)]));
     let panels = panels(&record);
     assert!(heading_and_notes(&panels, "Result").contains("reaches beyond the frame"));
-    assert!(panels[0].size[0] > 90.0, "{:?}", panels[0].size);
+    // The frame ends one side of the true sum beyond it: 4 units for the result, 1 for A.
+    assert!((panels[0].size[0] - (SIDE / 4.0 + 2.0 * MARGIN)).abs() < 1e-9, "{:?}", panels[0].size);
 }
 
 #[test]

@@ -13,8 +13,8 @@ pub const STYLE: &str = include_str!("picture.css");
 const GAP: f64 = 18.0;
 /// Pixels of a line of text.
 const LINE: f64 = 17.0;
-/// The narrowest panel that still holds its heading.
-const NARROWEST: f64 = 172.0;
+/// Pixels of a character, at most on average: a line of text must not run into the next panel's.
+const LETTER: f64 = 7.4;
 
 /// A whole SVG file: the panels side by side under their headings.
 pub fn document(record: &Record) -> String {
@@ -25,7 +25,7 @@ pub fn document(record: &Record) -> String {
     let (mut left, mut body) = (GAP, String::new());
     for panel in &panels {
         body.push_str(&headed(panel, left, top));
-        left += panel.size[0].max(NARROWEST) + GAP;
+        left += panel.size[0].max(text_width(panel)) + GAP;
     }
     let (width, title) = (decimal(left), text(&title(record)));
     let height = decimal(height);
@@ -44,9 +44,10 @@ pub fn figures(record: &Record) -> String {
         let [width, height] = panel.size.map(decimal);
         let notes: String = panel.notes.iter().map(|n| format!("<br>{}", text(n))).collect();
         format!(
-            "<figure><svg class=\"pic\" role=\"img\" aria-label=\"{heading}\" width=\"{width}\" height=\"{height}\" \
-             viewBox=\"0 0 {width} {height}\">{}</svg><figcaption><b>{heading}</b>{notes}</figcaption></figure>\n",
-            framed(panel),
+            "<figure><figcaption><b>{heading}</b>{notes}</figcaption><svg class=\"pic\" role=\"img\" \
+             aria-label=\"{heading}\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\">{}</svg>\
+             </figure>\n",
+            panel.body,
             heading = text(&panel.heading),
         )
     };
@@ -63,16 +64,15 @@ fn headed(panel: &Panel, left: f64, top: f64) -> String {
             format!("<text class=\"{}\" x=\"{x}\" y=\"{y}\">{}</text>\n", if i == 0 { "h" } else { "n" }, text(line))
         })
         .collect();
+    let (y, body) = (decimal(top), &panel.body);
+    let place = format!("x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\"");
     // An inner svg clips to its own box, without the ids that a clip path would need.
-    format!(
-        "{lines}<svg x=\"{x}\" y=\"{}\" width=\"{width}\" height=\"{height}\">{}</svg>\n",
-        decimal(top),
-        framed(panel)
-    )
+    format!("{lines}<svg {place}>{body}</svg>\n<rect class=\"f\" {place}/>\n")
 }
 
-fn framed(panel: &Panel) -> String {
-    format!("{}<rect class=\"f\" width=\"100%\" height=\"100%\"/>", panel.body)
+fn text_width(panel: &Panel) -> f64 {
+    let longest = std::iter::once(&panel.heading).chain(&panel.notes).map(|line| line.chars().count()).max();
+    longest.unwrap_or(0) as f64 * LETTER
 }
 
 fn title(record: &Record) -> String {

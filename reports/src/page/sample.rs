@@ -2,7 +2,7 @@
 
 use super::folder::Entry;
 use crate::row::{Record, Row, Status};
-use arcsum::region::{Curve, Node, Region};
+use arcsum::region::{Node, Region};
 use csv::StringRecord;
 use std::fs;
 use std::path::Path;
@@ -75,12 +75,6 @@ pub fn headers() -> StringRecord {
 /// A rectangle.
 pub fn rectangle(x: f64, y: f64, width: f64, height: f64) -> Vec<Node> {
     vec![Node::line(x, y), Node::line(x + width, y), Node::line(x + width, y + height), Node::line(x, y + height)]
-}
-
-/// A circle of two half circles; clockwise, as a hole, when `bulge` is -1.
-pub fn circle(x: f64, y: f64, radius: f64, bulge: f64) -> Vec<Node> {
-    let end = |x| Node { x, y, curve: Curve::Bulge(bulge) };
-    vec![end(x - radius), end(x + radius)]
 }
 
 /// A bounded region of these loops.

@@ -16,8 +16,8 @@ pub fn html(entries: &[Entry], engines: &[&str]) -> String {
             .to_owned();
     }
     let (low, high) = Bins::range(entries);
-    let exact = f64::from(high) + 1.5;
-    let chart = Chart { height: 300.0, across: (-0.1, most.log10().max(1.0) + 0.1), up: (f64::from(low), exact + 0.5) };
+    let exact = f64::from(high) + 3.0;
+    let chart = Chart { height: 300.0, across: (-0.1, most.log10().max(1.0) + 0.1), up: (f64::from(low), exact + 1.0) };
     let mut body: String = (0..=most.log10() as i32)
         .map(|power| chart.below(f64::from(power), &number::count(10_usize.pow(power.unsigned_abs()))))
         .collect();
@@ -45,7 +45,7 @@ fn place(entry: &Entry) -> Option<(f64, f64)> {
 }
 
 fn pixels(chart: &Chart, (sums, bits): (f64, f64), exact: f64) -> (f64, f64) {
-    let bits = if bits == f64::INFINITY { exact } else { bits.clamp(chart.up.0, chart.up.1 - 2.0) };
+    let bits = if bits == f64::INFINITY { exact } else { bits.clamp(chart.up.0, chart.up.1 - 4.0) };
     (chart.x(sums.log10()), chart.y(bits))
 }
 

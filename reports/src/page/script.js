@@ -9,15 +9,19 @@ const numberOf = text => {
   if (text === "inf") return Infinity;
   if (text === "-inf") return -Infinity;
   const value = Number(text.replace(/,(?=\d{3}\b)/g, ""));
-  return Number.isNaN(value) ? null : value;
+  // Seeds are whole numbers that doubles cannot tell apart: they stay text.
+  return Number.isNaN(value) || isLong(text) ? null : value;
 };
+
+const isLong = text => /^\d{16,}$/.test(text);
 
 const words = new Intl.Collator("en", { numeric: true });
 
-// Numbers before words; empty cells last, whichever way the column is sorted.
+// Numbers before words in ascending order; empty cells last, whichever way the column is sorted.
 function compare(a, b, sign) {
   if (a.text === "" || b.text === "") return (a.text === "") - (b.text === "");
   if (a.number !== null && b.number !== null) return sign * (a.number < b.number ? -1 : a.number > b.number ? 1 : 0);
+  if (isLong(a.text) && b.number !== null || isLong(b.text) && a.number !== null) return sign * words.compare(a.text, b.text);
   if (a.number !== null || b.number !== null) return a.number !== null ? -1 : 1;
   return sign * words.compare(a.text, b.text);
 }
