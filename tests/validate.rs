@@ -194,6 +194,33 @@ fn touches_are_allowed_unless_they_cut_the_interior() {
     }
 }
 
+/// A comb of long thin teeth, turned so that the bounding boxes of all its teeth overlap.
+fn slanted_comb(teeth: usize) -> Vec<Node> {
+    let width = 4.0 * teeth as f64;
+    let mut points = vec![(-1.0, 0.0), (-1.0, -1.0), (width, -1.0)];
+    points.extend((0..teeth).flat_map(|i| {
+        let y = 2.0 * i as f64;
+        [(width, y), (0.0, y), (0.0, y + 1.0), (width, y + 1.0)]
+    }));
+    points.push((-1.0, width));
+    polygon(&points.iter().map(|(x, y)| (2.0 * x - y, x + 2.0 * y)).collect::<Vec<_>>())
+}
+
+#[test]
+fn large_polygons_are_judged_in_full() {
+    let comb = slanted_comb(25_000);
+    assert_eq!(validate(&single(comb.clone())), Ok(()));
+    for at in [4, 50_000, 99_998] {
+        // The tip of a tooth's side moved across the gap and beyond the next tooth.
+        let mut nodes = comb.clone();
+        nodes[at].x -= 4.0;
+        nodes[at].y += 8.0;
+        let Err(Invalid::SelfIntersection(meeting)) = validate(&single(nodes)) else { panic!("nothing found at {at}") };
+        let distance = |place: Place| place.vertex.abs_diff(at);
+        assert!(distance(meeting.first).min(distance(meeting.second)) <= 1, "{meeting} instead of at {at}");
+    }
+}
+
 #[test]
 fn cusps_of_half_a_turn_are_refused() {
     // A crescent: two circles tangent at (0, 0).
