@@ -142,6 +142,34 @@ proptest! {
     }
 }
 
+proptest! {
+    #[test]
+    fn loops_must_not_touch_themselves(angle in 0.0..std::f64::consts::TAU) {
+        // A half circle of radius 10 hangs from the upper side down to the lower one.
+        let (sin, cos) = libm::sincos(angle);
+        let hanging = |depth: f64| {
+            let corners = [(-20.0, 0.0), (-20.0, -depth), (20.0, -depth), (20.0, 0.0), (10.0, 0.0), (-10.0, 0.0)];
+            let turned = corners.map(|(x, y)| Node::line(x * cos - y * sin, x * sin + y * cos));
+            let mut nodes = turned.to_vec();
+            nodes[4].curve = Curve::Bulge(-1.0);
+            kind(&single(nodes))
+        };
+        prop_assert_eq!(hanging(10.0 - 1e-9), "self-intersection");
+        prop_assert_eq!(hanging(10.0), "self-intersection");
+        prop_assert_eq!(hanging(10.0 + 1e-9), "valid");
+    }
+}
+
+#[test]
+fn loops_must_not_pinch_off_however_little() {
+    for size in [1.0, 1e-3, 1e-6, 1e-9, 1e-12] {
+        let mut nodes = square(0.0, 10.0);
+        nodes[2].curve = Curve::Bulge(0.5);
+        nodes.splice(3..3, [node(10.0 + size, 10.0 + 2.0 * size, Curve::Bulge(0.5)), Node::line(10.0, 10.0)]);
+        assert_eq!(kind(&single(nodes)), "self-intersection", "{size}");
+    }
+}
+
 #[test]
 fn each_kind_of_defect_is_named() {
     let big = square(0.0, 10.0);
