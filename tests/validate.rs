@@ -160,12 +160,38 @@ proptest! {
     }
 }
 
+proptest! {
+    #[test]
+    fn slim_crescents_are_valid_one_way_round(angle in 0.0..std::f64::consts::TAU, bulge in 0.01..2.0, slim in 10..30i32) {
+        let (sin, cos) = libm::sincos(angle);
+        let crescent = |outer: f64, inner: f64| {
+            single(vec![node(3.0, 4.0, Curve::Bulge(outer)), node(3.0 + cos, 4.0 + sin, Curve::Bulge(-inner))])
+        };
+        let thicker = bulge + 2f64.powi(-slim);
+        prop_assert_eq!(kind(&crescent(thicker, bulge)), "valid");
+        prop_assert_eq!(kind(&crescent(-bulge, -thicker)), "valid");
+        prop_assert_eq!(kind(&crescent(bulge, thicker)), "wrong orientation");
+        prop_assert_ne!(kind(&crescent(bulge, bulge)), "valid");
+    }
+}
+
+#[test]
+fn half_circles_may_have_the_last_bit_of_their_radius_wrong() {
+    let circle = |radius| single(vec![node(7.0, 5.0, Curve::Radius(radius)), node(5.0, 5.0, Curve::Radius(radius))]);
+    for radius in [1.0, 1f64.next_down(), 1f64.next_up()] {
+        assert_eq!(validate(&circle(radius)), Ok(()), "{radius}");
+    }
+    assert_eq!(kind(&circle(1.0 - 1e-14)), "chord longer than the diameter");
+}
+
 #[test]
 fn loops_must_not_pinch_off_however_little() {
     for size in [1.0, 1e-3, 1e-6, 1e-9, 1e-12] {
         let mut nodes = square(0.0, 10.0);
+        nodes[1].curve = Curve::Bulge(0.1);
         nodes[2].curve = Curve::Bulge(0.5);
-        nodes.splice(3..3, [node(10.0 + size, 10.0 + 2.0 * size, Curve::Bulge(0.5)), Node::line(10.0, 10.0)]);
+        let pinch = [node(10.0 + size, 10.0 + 2.0 * size, Curve::Bulge(0.5)), node(10.0, 10.0, Curve::Bulge(0.1))];
+        nodes.splice(3..3, pinch);
         assert_eq!(kind(&single(nodes)), "self-intersection", "{size}");
     }
 }
