@@ -4,7 +4,7 @@
 //! Between lines every answer is exact ([`crate::exact`]). Where a circle segment takes part the answer is floating
 //! point: only clear defects count, those that a displacement by the tolerance [`boundary::Boundary::tolerance`], 2^-40
 //! times the largest coordinate, cannot undo. Contacts closer than that pass between different loops and are defects
-//! within one loop, where they pinch the region off.
+//! within one loop, where they pinch the region off; so may be corners between curves that are sharper than 2^-22 radians.
 //!
 //! Different loops may touch in isolated points as long as each connected part of the region keeps a connected interior:
 //! among an outer loop and its holes no ring of touching loops may close. Loops of different parts may touch at will.
