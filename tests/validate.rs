@@ -142,6 +142,60 @@ proptest! {
     }
 }
 
+proptest! {
+    #[test]
+    fn loops_must_not_touch_themselves(angle in 0.0..std::f64::consts::TAU) {
+        // A half circle of radius 10 hangs from the upper side down to the lower one.
+        let (sin, cos) = libm::sincos(angle);
+        let hanging = |depth: f64| {
+            let corners = [(-20.0, 0.0), (-20.0, -depth), (20.0, -depth), (20.0, 0.0), (10.0, 0.0), (-10.0, 0.0)];
+            let turned = corners.map(|(x, y)| Node::line(x * cos - y * sin, x * sin + y * cos));
+            let mut nodes = turned.to_vec();
+            nodes[4].curve = Curve::Bulge(-1.0);
+            kind(&single(nodes))
+        };
+        prop_assert_eq!(hanging(10.0 - 1e-9), "self-intersection");
+        prop_assert_eq!(hanging(10.0), "self-intersection");
+        prop_assert_eq!(hanging(10.0 + 1e-9), "valid");
+    }
+}
+
+proptest! {
+    #[test]
+    fn slim_crescents_are_valid_one_way_round(angle in 0.0..std::f64::consts::TAU, bulge in 0.01..2.0, slim in 10..22i32) {
+        let (sin, cos) = libm::sincos(angle);
+        let crescent = |outer: f64, inner: f64| {
+            single(vec![node(3.0, 4.0, Curve::Bulge(outer)), node(3.0 + cos, 4.0 + sin, Curve::Bulge(-inner))])
+        };
+        let thicker = bulge + 2f64.powi(-slim);
+        prop_assert_eq!(kind(&crescent(thicker, bulge)), "valid");
+        prop_assert_eq!(kind(&crescent(-bulge, -thicker)), "valid");
+        prop_assert_eq!(kind(&crescent(bulge, thicker)), "wrong orientation");
+        prop_assert_ne!(kind(&crescent(bulge, bulge)), "valid");
+    }
+}
+
+#[test]
+fn half_circles_may_have_the_last_bit_of_their_radius_wrong() {
+    let circle = |radius| single(vec![node(7.0, 5.0, Curve::Radius(radius)), node(5.0, 5.0, Curve::Radius(radius))]);
+    for radius in [1.0, 1f64.next_down(), 1f64.next_up()] {
+        assert_eq!(validate(&circle(radius)), Ok(()), "{radius}");
+    }
+    assert_eq!(kind(&circle(1.0 - 1e-14)), "chord longer than the diameter");
+}
+
+#[test]
+fn loops_must_not_pinch_off_however_little() {
+    for size in [1.0, 1e-3, 1e-6, 1e-9, 1e-12] {
+        let mut nodes = square(0.0, 10.0);
+        nodes[1].curve = Curve::Bulge(0.1);
+        nodes[2].curve = Curve::Bulge(0.5);
+        let pinch = [node(10.0 + size, 10.0 + 2.0 * size, Curve::Bulge(0.5)), node(10.0, 10.0, Curve::Bulge(0.1))];
+        nodes.splice(3..3, pinch);
+        assert_eq!(kind(&single(nodes)), "self-intersection", "{size}");
+    }
+}
+
 #[test]
 fn each_kind_of_defect_is_named() {
     let big = square(0.0, 10.0);
@@ -191,6 +245,33 @@ fn touches_are_allowed_unless_they_cut_the_interior() {
     ];
     for (region, expected) in cases.map(|(nodes, expected)| (loops(nodes), expected)) {
         assert_eq!(kind(&region), expected, "{:?}\n{}", validate(&region), json::write(&region));
+    }
+}
+
+/// A comb of long thin teeth, turned so that the bounding boxes of all its teeth overlap.
+fn slanted_comb(teeth: usize) -> Vec<Node> {
+    let width = 4.0 * teeth as f64;
+    let mut points = vec![(-1.0, 0.0), (-1.0, -1.0), (width, -1.0)];
+    points.extend((0..teeth).flat_map(|i| {
+        let y = 2.0 * i as f64;
+        [(width, y), (0.0, y), (0.0, y + 1.0), (width, y + 1.0)]
+    }));
+    points.push((-1.0, width));
+    polygon(&points.iter().map(|(x, y)| (2.0 * x - y, x + 2.0 * y)).collect::<Vec<_>>())
+}
+
+#[test]
+fn large_polygons_are_judged_in_full() {
+    let comb = slanted_comb(25_000);
+    assert_eq!(validate(&single(comb.clone())), Ok(()));
+    for at in [4, 50_000, 99_998] {
+        // The tip of a tooth's side moved across the gap and beyond the next tooth.
+        let mut nodes = comb.clone();
+        nodes[at].x -= 4.0;
+        nodes[at].y += 8.0;
+        let Err(Invalid::SelfIntersection(meeting)) = validate(&single(nodes)) else { panic!("nothing found at {at}") };
+        let distance = |place: Place| place.vertex.abs_diff(at);
+        assert!(distance(meeting.first).min(distance(meeting.second)) <= 1, "{meeting} instead of at {at}");
     }
 }
 

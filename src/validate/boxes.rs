@@ -1,5 +1,5 @@
-//! A tree of bounding boxes over the parts of a boundary: reports the pairs whose boxes meet and the boxes that a
-//! horizontal ray meets. Built by halving at the median of the boxes' centres, so it is of logarithmic depth.
+//! A tree of bounding boxes over the parts of a boundary: reports the boxes that meet a box or a
+//! horizontal ray. Built by halving at the median of the boxes' centres, so it is of logarithmic depth.
 
 use glam::DVec2;
 use std::ops::Range;
@@ -85,62 +85,29 @@ impl Tree {
         index
     }
 
-    /// Visits every pair of different boxes that meet, each once, until a visit fails.
-    pub fn pairs<E>(&self, visit: &mut impl FnMut(usize, usize) -> Result<(), E>) -> Result<(), E> {
-        for node in &self.nodes {
-            if let Some([left, right]) = node.children {
-                self.pairs_between(left, right, visit)?;
-                continue;
-            }
-            let items = &self.order[node.items.clone()];
-            for (k, &i) in items.iter().enumerate() {
-                for &j in items[k + 1..].iter().filter(|&&j| self.boxes[i].meets(&self.boxes[j])) {
-                    visit(i, j)?;
-                }
-            }
-        }
-        Ok(())
-    }
-
-    fn pairs_between<E>(
-        &self,
-        left: usize,
-        right: usize,
-        visit: &mut impl FnMut(usize, usize) -> Result<(), E>,
-    ) -> Result<(), E> {
-        let (a, b) = (&self.nodes[left], &self.nodes[right]);
-        if !a.bounds.meets(&b.bounds) {
-            return Ok(());
-        }
-        match (a.children, b.children) {
-            (Some(halves), _) if a.items.len() >= b.items.len() || b.children.is_none() => {
-                halves.iter().try_for_each(|&half| self.pairs_between(half, right, visit))
-            }
-            (_, Some(halves)) => halves.iter().try_for_each(|&half| self.pairs_between(left, half, visit)),
-            _ => {
-                for &i in &self.order[a.items.clone()] {
-                    for &j in self.order[b.items.clone()].iter().filter(|&&j| self.boxes[i].meets(&self.boxes[j])) {
-                        visit(i, j)?;
-                    }
-                }
-                Ok(())
-            }
-        }
+    /// Visits every box that meets this one.
+    pub fn on_box(&self, bounds: &Box2, visit: &mut impl FnMut(usize)) {
+        self.search(|other| other.meets(bounds), visit);
     }
 
     /// Visits every box that meets the ray from a point to the left.
     pub fn on_ray(&self, from: DVec2, visit: &mut impl FnMut(usize)) {
+        self.search(|bounds| bounds.meets_ray(from), visit);
+    }
+
+    /// Visits every box that passes a test which the box around it passes too.
+    fn search(&self, test: impl Fn(&Box2) -> bool, visit: &mut impl FnMut(usize)) {
         let mut open = Vec::from_iter((!self.nodes.is_empty()).then_some(0));
         while let Some(index) = open.pop() {
             let node = &self.nodes[index];
-            if !node.bounds.meets_ray(from) {
+            if !test(&node.bounds) {
                 continue;
             }
             match node.children {
                 Some(halves) => open.extend(halves),
                 None => {
                     let items = &self.order[node.items.clone()];
-                    items.iter().filter(|&&i| self.boxes[i].meets_ray(from)).for_each(|&i| visit(i));
+                    items.iter().filter(|&&i| test(&self.boxes[i])).for_each(|&i| visit(i));
                 }
             }
         }

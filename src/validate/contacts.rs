@@ -5,27 +5,34 @@ use super::arc::{is_short, overlap, stretch, touches};
 use super::boundary::{Boundary, Part, TOLERANCE};
 use super::boxes::{Box2, Tree};
 use super::line;
+use super::sweep::sweep;
 use super::touch::{Spot, Touch};
 use super::{Contact, Invalid, Meeting};
 use glam::DVec2;
 
-/// The tree of the boxes of all parts, those of curved parts widened by the tolerance.
+/// The tree of the boxes of all parts.
 pub fn tree(boundary: &Boundary) -> Tree {
-    let margin = |part: &Part| if part.is_line() { 0.0 } else { boundary.tolerance };
-    Tree::new(boundary.parts.iter().map(|part| Box2::of(part.tail, part.head, margin(part))).collect())
+    Tree::new(boundary.parts.iter().map(|part| bounds(boundary, part)).collect())
 }
 
-/// Checks all pairs of parts whose boxes meet; returns the touches of different loops.
+/// The box of a part, widened by the tolerance if it is curved.
+fn bounds(boundary: &Boundary, part: &Part) -> Box2 {
+    Box2::of(part.tail, part.head, if part.is_line() { 0.0 } else { boundary.tolerance })
+}
+
+/// Checks all pairs of parts that can meet: lines by a sweep, a curve with each part whose box meets its own. Returns the
+/// touches of different loops.
 pub fn check(boundary: &Boundary, tree: &Tree) -> Result<Vec<Touch>, Invalid> {
     let mut touches = Vec::new();
-    tree.pairs(&mut |i, j| {
-        let (i, j) = (i.min(j), i.max(j));
-        if boundary.parts[i].is_line() && boundary.parts[j].is_line() {
-            check_lines(boundary, i, j, &mut touches)
-        } else {
-            check_curves(boundary, i, j, &mut touches)
-        }
-    })?;
+    sweep(&boundary.parts, |i, j| check_lines(boundary, i.min(j), i.max(j), &mut touches))?;
+    let curves = (0..boundary.parts.len()).filter(|&i| !boundary.parts[i].is_line());
+    let mut others = Vec::new();
+    for i in curves {
+        others.clear();
+        tree.on_box(&bounds(boundary, &boundary.parts[i]), &mut |j| others.push(j));
+        others.retain(|&j| j > i || (j < i && boundary.parts[j].is_line()));
+        others.iter().try_for_each(|&j| check_curves(boundary, i.min(j), i.max(j), &mut touches))?;
+    }
     Ok(touches)
 }
 

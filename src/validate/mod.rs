@@ -4,7 +4,7 @@
 //! Between lines every answer is exact ([`crate::exact`]). Where a circle segment takes part the answer is floating
 //! point: only clear defects count, those that a displacement by the tolerance [`boundary::Boundary::tolerance`], 2^-40
 //! times the largest coordinate, cannot undo. Contacts closer than that pass between different loops and are defects
-//! within one loop, where they pinch the region off.
+//! within one loop, where they pinch the region off; so may be corners between curves that are sharper than 2^-22 radians.
 //!
 //! Different loops may touch in isolated points as long as each connected part of the region keeps a connected interior:
 //! among an outer loop and its holes no ring of touching loops may close. Loops of different parts may touch at will.
@@ -17,6 +17,7 @@ mod invalid;
 mod line;
 mod nesting;
 mod shape;
+mod sweep;
 mod touch;
 
 pub use invalid::{Contact, Invalid, Meeting, Place};
@@ -28,8 +29,8 @@ use nesting::Nesting;
 /// The greatest number of vertices of a region.
 pub const MAX_VERTICES: usize = 1_000_000;
 
-/// Checks a region. Time is O(n log n) plus the number of pairs of segments whose bounding boxes meet, plus the number of
-/// segments that horizontal rays from one vertex a loop meet.
+/// Checks a region of n segments in O(n log n) for lines, plus the number of pairs of a circle segment and another segment
+/// whose bounding boxes meet, plus the number of segments that horizontal rays from one vertex a loop meet.
 pub fn validate(region: &Region) -> Result<(), Invalid> {
     let grid = shape::check(region)?;
     let boundary = Boundary::new(region, grid);
