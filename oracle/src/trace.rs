@@ -194,6 +194,22 @@ mod tests {
     }
 
     #[test]
+    fn touching_squares_around_a_gap_stay_squares() {
+        // Four squares that touch in a ring: not an outer loop with a hole, since no interior connects them.
+        let squares = [(0, 1), (1, 0), (1, 2), (2, 1)].map(|(x, y)| [(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)]);
+        let rings: Vec<&[(i32, i32)]> = squares.iter().map(|square| &square[..]).collect();
+        assert_eq!(loops(edges(&rings)).expect("closed"), squares.map(|square| ring(&square)));
+        // Their complement has two pieces, the gap and the rest of the plane, so its loops are those of the pieces.
+        let holes = squares.map(|[a, b, c, d]| [a, d, c, b]);
+        let rings: Vec<&[(i32, i32)]> = holes.iter().map(|hole| &hole[..]).collect();
+        let (outer, inner) = (
+            [(0, 1), (0, 2), (1, 2), (1, 3), (2, 3), (2, 2), (3, 2), (3, 1), (2, 1), (2, 0), (1, 0), (1, 1)],
+            [(1, 1), (2, 1), (2, 2), (1, 2)],
+        );
+        assert_eq!(loops(edges(&rings)).expect("closed"), [ring(&outer), ring(&inner)]);
+    }
+
+    #[test]
     fn open_edges_are_refused() {
         let mut open = edges(&[&[(0, 0), (1, 0), (1, 1)]]);
         open.pop();
