@@ -39,9 +39,8 @@ pub fn sum<Q: Number>(a: &ExactRegion<Q>, b: &ExactRegion<Q>, budget: Budget) ->
             }
             base += i32::from(part_a.unbounded() || part_b.unbounded());
             for ring_a in &rings_a {
-                rings_b.iter().for_each(|ring_b| convolve(&mut curves, ring_a, ring_b));
+                rings_b.iter().try_for_each(|ring_b| convolve(&mut curves, ring_a, ring_b, budget))?;
             }
-            budget.check_segments(curves.len())?;
         }
     }
     let [edges, negative] = boundaries(&curves, [base], [|w| w[0] > 0, |w| w[0] < 0], budget)?;
@@ -52,20 +51,21 @@ pub fn sum<Q: Number>(a: &ExactRegion<Q>, b: &ExactRegion<Q>, budget: Budget) ->
 }
 
 /// Adds the convolution of two rings to the curves.
-fn convolve<Q: Number>(curves: &mut Curves<Q>, a: &Ring<Q>, b: &Ring<Q>) {
+fn convolve<Q: Number>(curves: &mut Curves<Q>, a: &Ring<Q>, b: &Ring<Q>, budget: Budget) -> Result<(), OracleError> {
     let (turns_a, turns_b) = (turns(a), turns(b));
     let mut numbers: HashMap<(usize, usize), usize> = HashMap::new();
-    let mut add = |from: (usize, usize), to: (usize, usize), forward: bool| {
+    let mut add = |from: (usize, usize), to: (usize, usize), forward: bool| -> Result<(), OracleError> {
         let [from, to] = [from, to]
             .map(|(i, j)| *numbers.entry((i, j)).or_insert_with(|| curves.place(a[i].exact.plus(&b[j].exact))));
         let (tail, head) = if forward { (from, to) } else { (to, from) };
         curves.segment(tail, head, 0);
+        budget.check_segments(curves.len())
     };
     for i in 0..a.len() {
         let next = (i + 1) % a.len();
         for (j, turn) in turns_b.iter().enumerate() {
             if turn.passes_after_start(&a[i], &a[next]) {
-                add((i, j), (next, j), turn.left);
+                add((i, j), (next, j), turn.left)?;
             }
         }
     }
@@ -73,10 +73,11 @@ fn convolve<Q: Number>(curves: &mut Curves<Q>, a: &Ring<Q>, b: &Ring<Q>) {
         let next = (j + 1) % b.len();
         for (i, turn) in turns_a.iter().enumerate() {
             if turn.passes_before_end(&b[j], &b[next]) {
-                add((i, j), (i, next), turn.left);
+                add((i, j), (i, next), turn.left)?;
             }
         }
     }
+    Ok(())
 }
 
 /// The turn of a boundary at a vertex, by less than half a turn: the directions it sweeps, counter-clockwise from `lo`

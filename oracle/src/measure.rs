@@ -9,6 +9,9 @@
 //! The bracket holds without any assumption on how S came about. A point of S outside E is a limit of interior points
 //! of S \ E, since S is the closure of its interior and E is closed; the trapezoids are closed and cover the closure of
 //! S \ E; and their corners belong to S and not to the interior of E, so the distances there are attained.
+//!
+//! `hi` is at most 1/32 above `lo`, or below 2^-62 unit-box lengths, unless [`crate::farthest`] runs out of cuts; then the
+//! bracket is wider and still valid.
 
 use crate::arrange::{Curves, Edge, boundaries};
 use crate::error::{Budget, OracleError};

@@ -38,7 +38,8 @@ impl<Q: Number> ExactRegion<Q> {
     /// inside of an edge).
     ///
     /// # Errors
-    /// [`OracleError::Inconsistent`] if they do not close up.
+    /// [`OracleError::Inconsistent`] if they do not close up, [`OracleError::BadNumber`] for coordinates too large for
+    /// doubles.
     pub fn from_edges(edges: Vec<Edge<Q>>, unbounded: bool) -> Result<Self, OracleError> {
         Ok(Self { loops: trace::loops(edges)?, unbounded })
     }
@@ -119,15 +120,13 @@ impl<Q: Number> ExactRegion<Q> {
         self.edges().map(length).fold(Interval::ZERO, |sum, edge| sum + edge)
     }
 
-    /// The closure of the complement.
-    #[must_use]
-    pub fn complement(&self) -> Self {
-        let back = |ring: &Vec<Point<Q>>| {
-            let mut ring = ring.clone();
-            ring[1..].reverse();
-            ring
-        };
-        Self::sorted(self.loops.iter().map(back).collect(), !self.unbounded)
+    /// The closure of the complement. Its loops need not be the same ones reversed: at pinches they are paired anew.
+    ///
+    /// # Errors
+    /// [`OracleError::BadNumber`] for coordinates too large for doubles.
+    pub fn complement(&self) -> Result<Self, OracleError> {
+        let back = self.edges().map(|(tail, head)| (head.clone(), tail.clone())).collect();
+        Self::from_edges(back, !self.unbounded)
     }
 
     /// The region moved by a vector.
@@ -168,12 +167,9 @@ impl<Q: Number> ExactRegion<Q> {
             ring.rotate_left(lowest);
             ring
         };
-        Self::sorted(self.loops.iter().map(image).collect(), self.unbounded)
-    }
-
-    fn sorted(mut loops: Vec<Vec<Point<Q>>>, unbounded: bool) -> Self {
+        let mut loops: Vec<_> = self.loops.iter().map(image).collect();
         loops.sort();
-        Self { loops, unbounded }
+        Self { loops, unbounded: self.unbounded }
     }
 }
 

@@ -24,7 +24,7 @@ use crate::point::{Place, Point, cross_sign, dot_sign, orient};
 /// [`OracleError::Inconsistent`] if the edges do not close up.
 pub fn loops<Q: Number>(edges: Vec<Edge<Q>>) -> Result<Vec<Vec<Point<Q>>>, OracleError> {
     let mut graph = Graph::new(edges);
-    graph.split_at_pinches()?;
+    graph.split_at_touches()?;
     let mut rings = Vec::new();
     for walk in graph.walks()? {
         rings.extend(split_at_returns(walk));
@@ -35,23 +35,17 @@ pub fn loops<Q: Number>(edges: Vec<Edge<Q>>) -> Result<Vec<Vec<Point<Q>>>, Oracl
 }
 
 impl<Q: Number> Graph<Q> {
-    /// Cuts the edges that pass straight through a place where several loops meet, so that they take part in the
-    /// pairing there.
-    fn split_at_pinches(&mut self) -> Result<(), OracleError> {
-        let mut degree = vec![0; self.places.len()];
-        self.edges.iter().for_each(|&(tail, _)| degree[tail] += 1);
-        let pinches: Vec<usize> = (0..self.places.len()).filter(|&p| degree[p] > 1).collect();
-        if pinches.is_empty() {
-            return Ok(());
-        }
+    /// Cuts the edges that pass straight through a place where others end, so that they take part in the pairing there:
+    /// a hole that touches the inside of an edge at two places cuts the interior in two.
+    fn split_at_touches(&mut self) -> Result<(), OracleError> {
         let ends = |&(a, b): &(usize, usize)| Extent::around([&self.places[a], &self.places[b]]);
         let boxes = Boxes::new(&self.edges.iter().filter_map(ends).collect::<Vec<_>>())?;
         let mut cuts: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-        for pinch in pinches {
-            let spot = Extent::around([&self.places[pinch]]);
+        for (touch, place) in self.places.iter().enumerate() {
+            let spot = Extent::around([place]);
             boxes.visit(&spot.expect("one place has an extent"), |e| {
-                if self.passes_through(self.edges[e], pinch) {
-                    cuts.entry(e).or_default().push(pinch);
+                if self.passes_through(self.edges[e], touch) {
+                    cuts.entry(e).or_default().push(touch);
                 }
             });
         }
@@ -191,6 +185,31 @@ mod tests {
         let first = loops(edges(&[whole, hole, island])).expect("closed");
         assert_eq!(first, loops(edges(&[cut, hole, island])).expect("closed"));
         assert_eq!(first, [ring(whole), ring(&[(1, 0), (1, 2), (2, 1)]), ring(island)]);
+    }
+
+    #[test]
+    fn touching_squares_around_a_gap_stay_squares() {
+        // Four squares that touch in a ring: not an outer loop with a hole, since no interior connects them.
+        let squares = [(0, 1), (1, 0), (1, 2), (2, 1)].map(|(x, y)| [(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)]);
+        let rings: Vec<&[(i32, i32)]> = squares.iter().map(|square| &square[..]).collect();
+        assert_eq!(loops(edges(&rings)).expect("closed"), squares.map(|square| ring(&square)));
+        // Their complement has two pieces, the gap and the rest of the plane, so its loops are those of the pieces.
+        let holes = squares.map(|[a, b, c, d]| [a, d, c, b]);
+        let rings: Vec<&[(i32, i32)]> = holes.iter().map(|hole| &hole[..]).collect();
+        let (outer, inner) = (
+            [(0, 1), (0, 2), (1, 2), (1, 3), (2, 3), (2, 2), (3, 2), (3, 1), (2, 1), (2, 0), (1, 0), (1, 1)],
+            [(1, 1), (2, 1), (2, 2), (1, 2)],
+        );
+        assert_eq!(loops(edges(&rings)).expect("closed"), [ring(&outer), ring(&inner)]);
+    }
+
+    #[test]
+    fn a_hole_that_touches_an_edge_twice_cuts_the_interior() {
+        let square: &[_] = &[(0, 0), (4, 0), (4, 4), (0, 4)];
+        let hole: &[_] = &[(0, 2), (2, 4), (2, 2)];
+        let (corner, rest): (&[_], &[_]) =
+            (&[(0, 2), (2, 4), (0, 4)], &[(0, 0), (4, 0), (4, 4), (2, 4), (2, 2), (0, 2)]);
+        assert_eq!(loops(edges(&[square, hole])).expect("closed"), [ring(rest), ring(corner)]);
     }
 
     #[test]
