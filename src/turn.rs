@@ -5,7 +5,7 @@
 //! arcs by their curvature.
 
 use crate::angle::Ang;
-use crate::twofold::{exact_sign, two_product, two_sum};
+use crate::exact::orientation;
 use glam::DVec2;
 use std::f64::consts::PI;
 
@@ -29,24 +29,11 @@ pub(crate) fn turn(b: Ang, a: Ang, before: &Bend, after: &Bend) -> Option<f64> {
         return Some(turn);
     }
     let side = if before.r == 0.0 && after.r == 0.0 {
-        orientation(before.tail, before.head, after.head)
+        f64::from(orientation(before.tail, before.head, after.head) as i8)
     } else {
         // Next to the cusp, `after` runs left of `before`, with the region's inside between them, if it curves less.
         let curvature = |bend: &Bend| if bend.r == 0.0 { 0.0 } else { 1.0 / bend.r };
         -(curvature(before) + curvature(after))
     };
     (side != 0.0).then(|| libm::copysign(turn, side))
-}
-
-/// The sign of twice the area of the triangle: positive if p, q, r turn left. Exact but for underflow.
-fn orientation(p: DVec2, q: DVec2, r: DVec2) -> f64 {
-    let difference = |x: f64, y: f64| two_sum(x, -y);
-    let (ux, uy) = (difference(q.x, p.x), difference(q.y, p.y));
-    let (vx, vy) = (difference(r.x, p.x), difference(r.y, p.y));
-    let product = |(x, x_low): (f64, f64), (y, y_low): (f64, f64)| {
-        [two_product(x, y), two_product(x, y_low), two_product(x_low, y), two_product(x_low, y_low)]
-    };
-    let plus = product(ux, vy).into_iter().flat_map(|(h, l)| [h, l]);
-    let minus = product(uy, vx).into_iter().flat_map(|(h, l)| [-h, -l]);
-    exact_sign(plus.chain(minus).collect())
 }

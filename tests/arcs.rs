@@ -5,7 +5,7 @@ use arcsum::arc::{Arc, ArcError, half_sweep_of_bulge, half_sweep_of_radius, radi
 use arcsum::sum3::Rounding;
 use arcsum_tests::cases;
 use arcsum_tests::precise::{Circular, Vector, big, in_eps, reduced, relative, value};
-use arcsum_tests::worst::{Formula, Random};
+use arcsum_tests::worst::{Formula, Random, Worst};
 use glam::DVec2;
 use proptest::prelude::*;
 use rug::Float;
@@ -214,6 +214,20 @@ fn points() {
     fails("tangential", by_radius, tangential_error, 1e6);
 }
 
+/// The search itself finds what is wrong with the arc sine.
+#[test]
+#[should_panic(expected = "exceeds 1.3 eps")]
+fn arc_sine_exceeds_the_bound() {
+    formula("arc_sine", 1.3, by_radius, sweep_by_asin).check(DRAWS);
+}
+
+#[test]
+#[should_panic(expected = "rose to")]
+fn worse_than_kept_is_told() {
+    let kept = Worst { error: 0.1, input: vec![0.1, 0.2, 0.3, 0.5, 1.0] };
+    let _ = formula("half_sweep", 4.0, by_radius, sweep_of_radius).again(vec![kept]);
+}
+
 #[test]
 fn impossible_arcs_are_told() {
     let (o, e) = (DVec2::ZERO, DVec2::X);
@@ -279,7 +293,7 @@ proptest! {
             prop_assert!(half.abs() <= FRAC_PI_4, "{:?}", pair);
             if a != b {
                 // The direction of travel is the rightward normal turned left.
-                let travel = a.plus(half).plus(FRAC_PI_2).normal();
+                let travel = a.plus(half).normal().perp();
                 prop_assert!(((to - from) * travel).cmpge(DVec2::ZERO).all(), "{:?}", pair);
             }
         }

@@ -117,19 +117,29 @@ impl Formula {
     /// # Panics
     /// If an error exceeds the bound or a kept input has become worse.
     pub fn check(&self, draws: usize) {
-        let mut kept = self.kept();
+        let kept = self.kept();
         let known = kept.first().map_or(0.0, |w| w.error);
-        for old in &mut kept {
-            let now = (self.error)(&old.input).unwrap_or(f64::INFINITY);
-            assert!(now <= old.error * (1.0 + 1e-9), "{}: kept input {old:?} rose to {now} eps", self.name);
-            old.error = now;
-        }
+        let kept = self.again(kept);
         let found = self.search(draws, &kept);
         println!("{:28} worst {:12.4} eps, known {:10.4}, bound {:8.3}", self.name, found[0].error, known, self.bound);
         assert!(found[0].error <= self.bound, "{}: {:?} exceeds {} eps", self.name, found[0], self.bound);
         if std::env::var_os("ARCSUM_KEEP_WORST").is_some() {
             self.keep(&found);
         }
+    }
+
+    /// Measures kept inputs again.
+    ///
+    /// # Panics
+    /// If one has become worse.
+    #[must_use]
+    pub fn again(&self, mut kept: Vec<Worst>) -> Vec<Worst> {
+        for old in &mut kept {
+            let now = (self.error)(&old.input).unwrap_or(f64::INFINITY);
+            assert!(now <= old.error * (1.0 + 1e-9), "{}: kept input {old:?} rose to {now} eps", self.name);
+            old.error = now;
+        }
+        kept
     }
 
     /// The worst inputs of a search, worst first, without a verdict: for formulas that are known to fail.
