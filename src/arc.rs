@@ -146,8 +146,8 @@ impl Arc {
         Self { tail, head, a, b, delta, sine: libm::sin(delta) }
     }
 
-    /// The same arc with its end angles changed a little. Beyond a half circle the half sweep and its sine stay, as they
-    /// are known better than the angles tell.
+    /// The same arc with its end angles changed a little. Beyond a half circle the half sweep and its sine stay, as
+    /// they are known better than the angles tell.
     #[must_use]
     pub(crate) fn turned(self, a: Ang, b: Ang) -> Self {
         if self.delta.abs() > FRAC_PI_2 {
@@ -212,8 +212,8 @@ impl Arc {
         }
     }
 
-    /// The point at normal angle `theta` plus `q`, rounded as asked (memo A6), of an x- and y-monotone arc. Stays in the
-    /// box of the two ends plus `q`, so rounding breaks no monotonicity.
+    /// The point at normal angle `theta` plus `q`, rounded as asked (memo A6), of an x- and y-monotone arc. Stays in
+    /// the box of the two ends plus `q`, so rounding breaks no monotonicity.
     #[must_use]
     pub fn point_plus(&self, theta: Ang, q: DVec2, rounding: Rounding) -> DVec2 {
         let (end, way) = self.offset(theta);

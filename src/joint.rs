@@ -1,10 +1,10 @@
 //! Edges of a loop with the normal angles at their ends, and the joints where one edge goes over into the next.
 //!
-//! A tangential joint is computed twice, once from each edge, and the two angles differ by rounding: of the formulas, and
-//! of the coordinates, whose last place turns a chord of length L by up to about eps/L. Left alone, each would become a
-//! turn of no meaning, or a sliver between an arc's end and an axis normal nearby (memo A1). So the end angles of arcs
-//! adapt: to a neighbouring line, to an axis normal, or to a longer arc, in this order. The angle of a line never
-//! changes.
+//! A tangential joint is computed twice, once from each edge, and the two angles differ by rounding: of the formulas,
+//! and of the coordinates, whose last place turns a chord of length L by up to about eps/L. Left alone, each would
+//! become a turn of no meaning, or a sliver between an arc's end and an axis normal nearby (memo A1). So the end angles
+//! of arcs adapt: to a neighbouring line, to an axis normal, or to a longer arc, in this order. The angle of a line
+//! never changes.
 
 use crate::angle::Ang;
 use crate::arc::{Arc, ArcError, radius_of_bulge};
@@ -62,8 +62,8 @@ impl Edge {
         }
     }
 
-    /// By how much an end angle may change: so that [`SWING`] holds, and by no more than an eighth of the sweep or of what
-    /// it lacks of a full circle, so that the ends do not pass each other. Zero for a line.
+    /// By how much an end angle may change: so that [`SWING`] holds, and by no more than an eighth of the sweep or of
+    /// what it lacks of a full circle, so that the ends do not pass each other. Zero for a line.
     pub(crate) fn tolerance(&self) -> f64 {
         match self {
             Self::Line { .. } => 0.0,

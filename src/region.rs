@@ -2,7 +2,10 @@
 //!
 //! A [`Region`] is plain data. It says nothing about validity: [`crate::validate`] does.
 
-use serde::{Deserialize, Serialize};
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{Error, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::fmt;
 
 /// How the boundary runs from one vertex to the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,8 +20,8 @@ pub enum Curve {
 }
 
 /// A vertex, in input units, and the curve that leaves it.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "NodeRepr", into = "NodeRepr")]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(into = "NodeRepr")]
 pub struct Node {
     /// Abscissa.
     pub x: f64,
@@ -33,6 +36,7 @@ pub struct Node {
 /// The last vertex of a loop is joined to the first. With `unbounded` the set also contains everything far away,
 /// as complements do.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(remote = "Self")]
 pub struct Region {
     /// A name for people; not part of the shape.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -117,6 +121,56 @@ struct NodeRepr {
     bulge: Option<f64>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     radius: Option<f64>,
+}
+
+// What serde derives takes a list for a struct, so that a point [x, y, z] would come out as a vertex whose bulge is z.
+// These visitors take a map alone.
+struct NodeVisitor;
+
+impl<'de> Visitor<'de> for NodeVisitor {
+    type Value = Node;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(r#"a vertex, {"x": ..., "y": ...}"#)
+    }
+
+    fn visit_map<M: MapAccess<'de>>(self, map: M) -> Result<Node, M::Error> {
+        let repr = NodeRepr::deserialize(MapAccessDeserializer::new(map))?;
+        Node::try_from(repr).map_err(M::Error::custom)
+    }
+}
+
+impl<'de> Deserialize<'de> for Node {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_map(NodeVisitor)
+    }
+}
+
+struct RegionVisitor;
+
+impl<'de> Visitor<'de> for RegionVisitor {
+    type Value = Region;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(r#"a region, {"loops": ...}"#)
+    }
+
+    fn visit_map<M: MapAccess<'de>>(self, map: M) -> Result<Region, M::Error> {
+        // The derived function, which `remote` keeps apart from the trait's.
+        Region::deserialize(MapAccessDeserializer::new(map))
+    }
+}
+
+impl<'de> Deserialize<'de> for Region {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_map(RegionVisitor)
+    }
+}
+
+impl Serialize for Region {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        Region::serialize(self, serializer)
+    }
 }
 
 impl TryFrom<NodeRepr> for Node {

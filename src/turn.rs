@@ -1,8 +1,8 @@
 //! The signed turn at a vertex from one segment to the next (memo A7).
 //!
-//! Two segments that meet in a cusp, 180 degrees up to rounding, turn to the side that the angles cannot tell: a spike of
-//! the region turns left (convex), a crack in it turns right. There, lines are compared by an exact orientation test and
-//! arcs by their curvature.
+//! Two segments that meet in a cusp, 180 degrees up to rounding, turn to the side that the angles cannot tell: a spike
+//! of the region turns left (convex), a crack in it turns right. There, lines are compared by an exact orientation test
+//! and arcs by their curvature.
 
 use crate::angle::Ang;
 use crate::exact::orientation;
@@ -21,8 +21,8 @@ pub(crate) struct Bend {
     pub(crate) r: f64,
 }
 
-/// The turn in radians from angle b, where `before` ends, to angle a, where `after` starts: within pi, or beyond it by no
-/// more than [`CUSP`] at a cusp. `None` if the two run back over each other.
+/// The turn in radians from angle b, where `before` ends, to angle a, where `after` starts: within pi, or beyond it by
+/// no more than [`CUSP`] at a cusp. `None` if the two run back over each other.
 pub(crate) fn turn(b: Ang, a: Ang, before: &Bend, after: &Bend) -> Option<f64> {
     let turn = b.turn_to(a);
     if turn.abs() < PI - CUSP {

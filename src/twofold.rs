@@ -35,7 +35,8 @@ pub fn twofold_atan((y, y_error): (f64, f64), (x, x_error): (f64, f64)) -> f64 {
 }
 
 /// The sum of the terms as if in threefold precision: error at most 2^-105 |sum| + (n 2^-53)^3 times the sum of the
-/// absolute values (Ogita, Rump, Oishi, *Accurate sum and dot product*, algorithm SumK with K = 3). Overwrites the terms.
+/// absolute values (Ogita, Rump, Oishi, *Accurate sum and dot product*, algorithm SumK with K = 3). Overwrites the
+/// terms.
 #[must_use]
 pub fn threefold_sum(terms: &mut [f64]) -> (f64, f64) {
     for _ in 0..2 {

@@ -188,8 +188,8 @@ fn fails(name: &'static str, draw: fn(&mut Random) -> Vec<f64>, error: fn(&[f64]
 }
 
 /// Bounds, in eps of the value: [`twofold_atan`](arcsum::twofold::twofold_atan) has 3, and taken from a right angle at
-/// most as much again plus one rounding; the radius of a bulge has 1 from the chord, 2 from its length, 3.5 from the sine
-/// and 1 from the division. Near half circles memo fact 3 has 1.3 eps.
+/// most as much again plus one rounding; the radius of a bulge has 1 from the chord, 2 from its length, 3.5 from the
+/// sine and 1 from the division. Near half circles memo fact 3 has 1.3 eps.
 #[test]
 fn half_sweeps_and_radii() {
     formula("half_sweep_of_radius", 4.0, by_radius, sweep_of_radius).check(DRAWS);
@@ -201,9 +201,9 @@ fn half_sweeps_and_radii() {
 }
 
 /// Points of monotone pieces: 4 eps from the circle, the promise of memo A5. The way there has at most 4.3 eps from
-/// turning the chord (two products and a sum a coordinate, with sine, cosine and chord off by 1 eps each) and 6 along it
-/// from its length, so 10.3 times sin u / sin delta <= 0.54 of the chord. Longer arcs, before they are cut, reach 4.3 + 6
-/// eps of a way of length 1 in all, and 0.7 from the last rounding.
+/// turning the chord (two products and a sum a coordinate, with sine, cosine and chord off by 1 eps each) and 6 along
+/// it from its length, so 10.3 times sin u / sin delta <= 0.54 of the chord. Longer arcs, before they are cut, reach
+/// 4.3 + 6 eps of a way of length 1 in all, and 0.7 from the last rounding.
 #[test]
 fn points() {
     formula("point_normal", 4.0, by_radius, normal_error).check(DRAWS);
@@ -308,8 +308,8 @@ proptest! {
         if arc.delta().abs() < FRAC_PI_2 {
             prop_assert_eq!(back.delta(), -arc.delta());
             let theta = pick(&arc, fraction).0;
-            prop_assert_eq!(back.offset(theta.opposite()).1.length() <= 1.0 , true);
-            let difference = arc.offset(theta).0 + arc.offset(theta).1 - back.offset(theta.opposite()).0 - back.offset(theta.opposite()).1;
+            let point = |(end, way): (DVec2, DVec2)| end + way;
+            let difference = point(arc.offset(theta)) - point(back.offset(theta.opposite()));
             prop_assert!(difference.length() <= 16.0 * f64::EPSILON);
         }
     }

@@ -3,8 +3,10 @@
 pub mod fiber;
 pub mod liar;
 pub mod precise;
+pub mod random;
 pub mod shapes;
 pub mod tangle;
+pub mod valid;
 pub mod worst;
 
 use proptest::prelude::ProptestConfig;

@@ -1,7 +1,8 @@
 //! The search for worst inputs: draw, climb, compare with a bound, and keep the worst found as a file.
 //!
-//! `worst/NAME.csv` holds the worst inputs known, one a line: the error in eps = 2^-53, then the input. Every run measures
-//! them again; one that has become worse fails. With `ARCSUM_KEEP_WORST` set, a run rewrites the files with what it found.
+//! `worst/NAME.csv` holds the worst inputs known, one a line: the error in eps = 2^-53, then the input. Every run
+//! measures them again; one that has become worse fails. With `ARCSUM_KEEP_WORST` set, a run rewrites the files with
+//! what it found.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -111,8 +112,8 @@ pub struct Worst {
 }
 
 impl Formula {
-    /// Measures the kept inputs, then searches with `draws` random inputs and climbs from the worst. Prints a row of the
-    /// accuracy table.
+    /// Measures the kept inputs, then searches with `draws` random inputs and climbs from the worst. Prints a row of
+    /// the accuracy table.
     ///
     /// # Panics
     /// If an error exceeds the bound or a kept input has become worse.

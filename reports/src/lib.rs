@@ -1,3 +1,13 @@
 //! The harness of arcsum: cases, engines under test, measurements, and the pages and tables they end in.
 
+pub mod bench;
+pub mod bridge;
+pub mod cases;
+pub mod command;
+pub mod engine;
+pub mod environment;
+pub mod judge;
+pub mod page;
 pub mod row;
+pub mod run;
+pub mod worker;

@@ -1,3 +1,7 @@
 //! The command `arcsum`.
 
-fn main() {}
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    arcsum_reports::command::main()
+}

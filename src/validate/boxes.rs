@@ -1,5 +1,5 @@
 //! A tree of bounding boxes over the parts of a boundary: reports the pairs whose boxes meet and the boxes that a
-//! horizontal ray meets. Built by halving at the median along the longer side, so it is of logarithmic depth.
+//! horizontal ray meets. Built by halving at the median of the boxes' centres, so it is of logarithmic depth.
 
 use glam::DVec2;
 use std::ops::Range;
@@ -20,6 +20,10 @@ impl Box2 {
     /// The box of two points, widened on all sides.
     pub fn of(p: DVec2, q: DVec2, margin: f64) -> Self {
         Self { min: p.min(q) - DVec2::splat(margin), max: p.max(q) + DVec2::splat(margin) }
+    }
+
+    fn centre(&self) -> DVec2 {
+        (self.min + self.max) / 2.0
     }
 
     fn join(self, other: Self) -> Self {
@@ -70,11 +74,11 @@ impl Tree {
         let index = self.nodes.len();
         self.nodes.push(Node { bounds, items: items.clone(), children: None });
         if items.len() > LEAF {
-            let side = bounds.max - bounds.min;
-            let centre = |i: usize| {
-                if side.x > side.y { boxes[i].min.x + boxes[i].max.x } else { boxes[i].min.y + boxes[i].max.y }
-            };
-            range.select_nth_unstable_by(items.len() / 2, |&i, &j| centre(i).total_cmp(&centre(j)));
+            // Along the side on which the centres spread most: long boxes side by side must not be split along themselves.
+            let centres = range.iter().map(|&i| Box2::of(boxes[i].centre(), boxes[i].centre(), 0.0));
+            let spread = centres.reduce(Box2::join).map_or(DVec2::ZERO, |b| b.max - b.min);
+            let key = |i: usize| if spread.x > spread.y { boxes[i].centre().x } else { boxes[i].centre().y };
+            range.select_nth_unstable_by(items.len() / 2, |&i, &j| key(i).total_cmp(&key(j)));
             let middle = items.start + items.len() / 2;
             self.nodes[index].children = Some([self.grow(items.start..middle), self.grow(middle..items.end)]);
         }

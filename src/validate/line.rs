@@ -10,7 +10,11 @@ pub type Line = (DVec2, DVec2);
 
 /// How two lines of positive length meet, and a common point: exact for a touch and an overlap, rounded for a crossing.
 pub fn meet((a, b): Line, (c, d): Line) -> Option<(Contact, DVec2)> {
-    let sides = [orientation(a, b, c), orientation(a, b, d), orientation(c, d, a), orientation(c, d, b)];
+    let (side_c, side_d) = (orientation(a, b, c), orientation(a, b, d));
+    if side_c == side_d && side_c != Equal {
+        return None;
+    }
+    let sides = [side_c, side_d, orientation(c, d, a), orientation(c, d, b)];
     if sides == [Equal; 4] {
         return meet_collinear((a, b), (c, d));
     }

@@ -100,21 +100,30 @@ impl<'a> Nesting<'a> {
         let parts = &self.boundary.parts[self.boundary.loops[loop_index].clone()];
         let touched = |point: DVec2| touches.iter().any(|(touch, _)| touch.at == point);
         let from = parts.iter().map(|part| part.tail).find(|&tail| !touched(tail)).unwrap_or(parts[0].tail);
-        let mut inside: HashMap<usize, bool> = HashMap::new();
+        let mut crossed = Vec::new();
         self.tree.on_ray(from, &mut |index| {
             let part = &self.boundary.parts[index];
             if part.place.loop_index != loop_index && is_left(part, from) {
-                let odd = inside.entry(part.place.loop_index).or_default();
-                *odd = !*odd;
+                crossed.push(part.place.loop_index);
             }
         });
+        let mut inside = odd_ones(crossed);
         // Where even this vertex is a touch, the ray cannot tell; the arms there can.
         for (touch, swapped) in touches.iter().filter(|(touch, _)| touch.at == from) {
             let other = touch.loops(self.boundary)[usize::from(*swapped)];
-            inside.insert(other, touch.leaves_left(self.boundary, *swapped) != self.clockwise[other]);
+            inside.retain(|&l| l != other);
+            if touch.leaves_left(self.boundary, *swapped) != self.clockwise[other] {
+                inside.push(other);
+            }
         }
-        inside.into_iter().filter_map(|(l, odd)| odd.then_some(l)).collect()
+        inside
     }
+}
+
+/// The members that occur an odd number of times, each once.
+fn odd_ones(mut members: Vec<usize>) -> Vec<usize> {
+    members.sort_unstable();
+    members.chunk_by(|a, b| a == b).filter(|equal| equal.len() % 2 == 1).map(|equal| equal[0]).collect()
 }
 
 /// Whether the ray from a point to the left crosses the part, the lower end belonging to it and the upper one not.

@@ -1,0 +1,113 @@
+//! The command line: one module a command, each returning an exit code or one sentence.
+//!
+//! Exit codes: 0 done, 1 a witness that no longer holds or a failure of the machine, 2 bad input, 130 interrupted.
+
+pub mod bench;
+pub mod interrupt;
+pub mod replay;
+pub mod report;
+pub mod sum;
+pub mod verify;
+
+use clap::{Args, Parser, Subcommand};
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::time::Duration;
+
+/// Exit code after an interrupt from the keyboard.
+pub const INTERRUPTED: u8 = 130;
+
+/// Measures how wrong a floating-point Minkowski sum is, and proves it.
+#[derive(Debug, Parser)]
+#[command(name = "arcsum", version)]
+pub struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// One sum, any format to any format.
+    Sum(sum::SumArgs),
+    /// Measure engines on cases: files, folders and built-in families.
+    Verify(verify::VerifyArgs),
+    /// Measure the built-in cases and make the page; the last line is its path.
+    Report(report::ReportArgs),
+    /// Measure a witness again and say whether it still holds.
+    Replay(replay::ReplayArgs),
+    /// Time sums against sorting.
+    Bench(bench::BenchArgs),
+    /// Measure cases for a parent process.
+    #[command(hide = true)]
+    Worker,
+}
+
+/// Why a command failed, in one sentence.
+#[derive(Debug, thiserror::Error)]
+#[error("{message}")]
+pub struct Failure {
+    /// The exit code.
+    pub code: u8,
+    /// The sentence.
+    pub message: String,
+}
+
+impl Failure {
+    /// The input is at fault.
+    #[must_use]
+    pub fn input(message: impl ToString) -> Self {
+        Self { code: 2, message: message.to_string() }
+    }
+
+    /// The machine is at fault, or this program.
+    #[must_use]
+    pub fn other(message: impl ToString) -> Self {
+        Self { code: 1, message: message.to_string() }
+    }
+}
+
+/// How a run is carried out, the same for all commands that measure.
+#[derive(Clone, Debug, Args)]
+pub struct RunArgs {
+    /// The seed of the built-in cases.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Go on with the interrupted run in the output folder.
+    #[arg(long)]
+    pub resume: bool,
+    /// Seconds for an engine, and again for the reference, on a case.
+    #[arg(long, default_value = "60", value_parser = seconds)]
+    pub time_limit: Duration,
+    /// Worker processes at a time [default: one a processor].
+    #[arg(long, value_parser = clap::value_parser!(u16).range(1..))]
+    pub threads: Option<u16>,
+    /// The output folder.
+    #[arg(long, default_value = "out")]
+    pub out: PathBuf,
+}
+
+fn seconds(text: &str) -> Result<Duration, String> {
+    let seconds: f64 = text.parse().map_err(|_| "not a number of seconds".to_owned())?;
+    let limit = Duration::try_from_secs_f64(seconds).map_err(|e| e.to_string())?;
+    if limit.is_zero() { Err("a limit of no time".into()) } else { Ok(limit) }
+}
+
+/// Runs the command line and prints the sentence of a failure.
+#[must_use]
+pub fn main() -> ExitCode {
+    let done = match Cli::parse().command {
+        Command::Sum(args) => sum::sum(&args),
+        Command::Verify(args) => verify::verify(&args),
+        Command::Report(args) => report::report(&args),
+        Command::Replay(args) => replay::replay(&args),
+        Command::Bench(args) => bench::bench(&args),
+        Command::Worker => crate::worker::child::serve().map(|()| 0).map_err(Failure::other),
+    };
+    match done {
+        Ok(code) => ExitCode::from(code),
+        Err(failure) => {
+            eprintln!("arcsum: {failure}");
+            ExitCode::from(failure.code)
+        }
+    }
+}

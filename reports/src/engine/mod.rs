@@ -1,0 +1,116 @@
+//! Engines under test: the trait, its answers, and the engines by name (section 5 of the design).
+
+pub mod command;
+pub mod kinetic;
+pub mod registry;
+
+use arcsum::region::Region;
+use serde::{Deserialize, Serialize};
+use std::time::Duration;
+
+/// What an engine can do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Abilities {
+    /// Circle segments.
+    pub arcs: bool,
+    /// Regions with holes.
+    pub holes: bool,
+    /// Unbounded regions.
+    pub unbounded: bool,
+}
+
+impl Abilities {
+    /// Everything a case can ask for.
+    pub const ALL: Self = Self { arcs: true, holes: true, unbounded: true };
+
+    /// Whether this suffices for the sum of the two.
+    #[must_use]
+    pub fn cover(self, a: &Region, b: &Region) -> bool {
+        let polygonal = a.is_polygonal() && b.is_polygonal();
+        let bounded = !a.unbounded && !b.unbounded;
+        let whole = [a, b].iter().all(|r| !has_holes(r));
+        (self.arcs || polygonal) && (self.unbounded || bounded) && (self.holes || whole)
+    }
+}
+
+/// Whether some loop runs clockwise, judged by the area under its chords.
+fn has_holes(region: &Region) -> bool {
+    let doubled = |l: &Vec<arcsum::region::Node>| -> f64 {
+        (0..l.len()).map(|i| (l[i], l[(i + 1) % l.len()])).map(|(p, q)| p.x * q.y - p.y * q.x).sum()
+    };
+    // A loop of two arcs has no area under its chords; it counts as an outer loop.
+    region.loops.iter().any(|l| l.len() > 2 && doubled(l) < 0.0)
+}
+
+/// An engine's answer to a case.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Answer {
+    /// The sum, in input units.
+    pub region: Region,
+    /// What the engine counted on the way; empty for engines that tell nothing.
+    #[serde(default)]
+    pub counters: Counters,
+    /// How long its stages took.
+    #[serde(default)]
+    pub times: Times,
+    /// The convolution as `[x0, y0, x1, y1, bulge]` in input units; empty for engines that have none to show.
+    #[serde(default)]
+    pub convolution: Vec<[f64; 5]>,
+    /// Checks of its own that failed, by name; none when the engine makes no checks.
+    #[serde(default)]
+    pub failed_checks: Option<Vec<String>>,
+}
+
+/// Audit counters by the names of the columns (memo C4).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[allow(missing_docs, reason = "the columns of the same names are documented in the row")]
+pub struct Counters {
+    pub sums: Option<u64>,
+    pub vertices: Option<u64>,
+    pub crossings: Option<u64>,
+    pub k: Option<u64>,
+    pub late: Option<u64>,
+    pub gather: Option<u64>,
+    pub cancelled: Option<u64>,
+    pub cells: Option<u64>,
+}
+
+/// Time of each stage, where the engine tells.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Times {
+    /// The convolution.
+    pub convolution: Option<Duration>,
+    /// The arrangement.
+    pub arrangement: Option<Duration>,
+    /// The extraction of the result.
+    pub extraction: Option<Duration>,
+}
+
+/// Why an engine gave no region.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum EngineError {
+    /// It refused the case or answered something that is no region.
+    #[error("{0}")]
+    Invalid(String),
+    /// It died.
+    #[error("{0}")]
+    Crashed(String),
+}
+
+/// An engine under test.
+pub trait Engine {
+    /// Its name on the command line and in the tables.
+    fn name(&self) -> &str;
+
+    /// Its version.
+    fn version(&self) -> String;
+
+    /// What it can do; cases beyond that are not put to it.
+    fn abilities(&self) -> Abilities;
+
+    /// The Minkowski sum of the regions, in their units.
+    ///
+    /// # Errors
+    /// When the engine refuses, answers nonsense, or dies in a way that can be told.
+    fn sum(&mut self, a: &Region, b: &Region) -> Result<Answer, EngineError>;
+}

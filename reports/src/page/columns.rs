@@ -1,0 +1,90 @@
+//! What the columns of `results.csv` mean, and to which side the page rounds them.
+
+use super::number::Toward;
+
+/// A column the page knows.
+#[derive(Clone, Copy, Debug)]
+pub struct Column {
+    /// Its name in the file.
+    pub name: &'static str,
+    /// Its meaning in one line.
+    pub meaning: &'static str,
+    /// How it may be shortened, if it is a length.
+    pub toward: Option<Toward>,
+}
+
+const fn column(name: &'static str, meaning: &'static str) -> Column {
+    Column { name, meaning, toward: None }
+}
+
+const fn length(name: &'static str, toward: Toward, meaning: &'static str) -> Column {
+    Column { name, meaning, toward: Some(toward) }
+}
+
+/// All columns of a row; lengths in unit-box lengths and times in milliseconds unless they say otherwise.
+pub const COLUMNS: [Column; 39] = [
+    column("case", "the pair of regions"),
+    column("family", "the family or folder it belongs to"),
+    column("engine", "the engine under test"),
+    column("engine_version", "its version"),
+    column("status", "ok, undecided, invalid, timeout or crashed"),
+    column("seed", "what the case was made from; empty for cases from files"),
+    length("mu_lo", Toward::Down, "certified lower bound of the error mu"),
+    length("mu_hi", Toward::Up, "certified upper bound of the error mu"),
+    column("bits", "-log2(mu_hi), rounded down; inf where the result is exact"),
+    column(
+        "direction",
+        "mu_lo is attained at a point of the result far from the sum, or of the sum far from the result",
+    ),
+    column("worst_x", "where mu_lo is attained, in input units"),
+    column("worst_y", "where mu_lo is attained, in input units"),
+    length("mu_realized_lo", Toward::Down, "lower bound of mu against the sum of the realizations"),
+    length("mu_realized_hi", Toward::Up, "upper bound of mu against the sum of the realizations"),
+    length("rho", Toward::Nearest, "greatest inradius of the intersection at tested free points"),
+    length("pd", Toward::Nearest, "penetration depth at the same points"),
+    length("trap", Toward::Nearest, "Milenkovic and Sacks' trapezoid number"),
+    column("falsely_free", "tested free points with rho > mu"),
+    column("n", "segments of A"),
+    column("m", "segments of B"),
+    column("sums", "segments of the convolution"),
+    column("V", "vertices of the arrangement"),
+    column("N", "crossings over all pairs (audit only)"),
+    column("k", "cyclic triples (audit only)"),
+    column("late", "late swaps"),
+    column("gather", "gather swaps"),
+    column("cancelled", "cancelled swaps"),
+    column("cells", "cells of the arrangement"),
+    column("bubbles", "bubbles"),
+    column("cracks", "cracks"),
+    column("result_segments", "segments of the result"),
+    column("result_loops", "loops of the result"),
+    column("exact_loops", "loops of the reference"),
+    column("failed_checks", "failed checks by name; none when all held"),
+    column("t_convolution", "time of the convolution in ms"),
+    column("t_arrangement", "time of the arrangement in ms"),
+    column("t_extraction", "time of the extraction in ms"),
+    column("note", "why the status is not ok, or why the bits fall short"),
+    column("#", "number of the row, its record and its picture"),
+];
+
+/// The column of that name; a column the page does not know has no meaning to tell.
+pub fn find(name: &str) -> Column {
+    COLUMNS.into_iter().find(|c| c.name == name).unwrap_or(column("", ""))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::page::sample;
+
+    #[test]
+    fn every_column_of_a_row_is_known_and_no_other() {
+        let headers = sample::headers();
+        for name in headers.iter() {
+            assert!(!find(name).meaning.is_empty(), "{name} has no meaning");
+        }
+        for known in COLUMNS.iter().filter(|c| c.name != "#") {
+            assert!(headers.iter().any(|name| name == known.name), "{} is no column", known.name);
+        }
+    }
+}

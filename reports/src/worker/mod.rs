@@ -1,0 +1,49 @@
+//! Workers: child processes that measure one case at a time, so that nothing an engine or a reference does can end a run.
+//!
+//! A worker reads tasks as JSON lines and answers each with the stages it goes through: first what the engine did, then
+//! what the reference says. Whoever waits can therefore tell a hanging engine from a hanging reference.
+
+pub mod child;
+pub mod parent;
+
+use crate::cases::Case;
+use crate::engine::Answer;
+use crate::judge::Judgement;
+use crate::row::Status;
+use serde::{Deserialize, Serialize};
+
+/// A line to a worker.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Task {
+    /// The case.
+    pub case: Case,
+    /// The name of the engine.
+    pub engine: String,
+}
+
+/// A line from a worker.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub enum Message {
+    /// The engine gave no region; the task is done.
+    Failed {
+        /// Crashed or invalid.
+        status: Status,
+        /// One sentence.
+        note: String,
+    },
+    /// The engine gave a region; the reference is asked next.
+    Answered(Box<Answer>),
+    /// The reference's word; the task is done.
+    Judged(Box<Judgement>),
+}
+
+/// What became of a task.
+#[derive(Clone, Debug, Default)]
+pub struct Outcome {
+    /// The engine's answer.
+    pub answer: Option<Answer>,
+    /// The reference's word on it.
+    pub judgement: Option<Judgement>,
+    /// Why one of the two is missing.
+    pub failure: Option<(Status, String)>,
+}
