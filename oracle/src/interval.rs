@@ -150,7 +150,7 @@ impl Mul for Interval {
             lo = lo.min(mul_down(a, b));
             minus_hi = minus_hi.min(mul_down(-a, b));
         }
-        Self { lo, hi: -minus_hi }
+        Self { lo, hi: 0.0 - minus_hi }
     }
 }
 
@@ -167,7 +167,7 @@ impl Div for Interval {
             lo = lo.min(div_down(a, b));
             minus_hi = minus_hi.min(div_down(-a, b));
         }
-        Self { lo, hi: -minus_hi }
+        Self { lo, hi: 0.0 - minus_hi }
     }
 }
 

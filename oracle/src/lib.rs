@@ -2,9 +2,13 @@
 //!
 //! Nothing here is shared with the engine: a case arrives as plain numbers ([`plain`]).
 
+pub mod arc;
 pub mod arrange;
 pub mod boxes;
+pub mod convex;
 pub mod convolve;
+pub mod decompose;
+pub mod enclose;
 pub mod error;
 pub mod farthest;
 pub mod graph;
@@ -16,6 +20,8 @@ pub mod parts;
 pub mod plain;
 pub mod point;
 pub mod polygon;
+pub mod probe;
 pub mod region;
 pub mod trace;
 pub mod trapezoid;
+pub mod union;

@@ -10,13 +10,14 @@
 //! of S \ E, since S is the closure of its interior and E is closed; the trapezoids are closed and cover the closure of
 //! S \ E; and their corners belong to S and not to the interior of E, so the distances there are attained.
 
-use crate::arrange::{Curves, boundaries};
+use crate::arrange::{Curves, Edge, boundaries};
 use crate::error::{Budget, OracleError};
 use crate::farthest::Farthest;
 use crate::interval::Interval;
 use crate::locate::Locator;
 use crate::number::Number;
 use crate::plain::PlainRegion;
+use crate::point::Point;
 use crate::region::ExactRegion;
 use crate::trapezoid::trapezoids;
 
@@ -60,11 +61,10 @@ pub fn hausdorff<Q: Number>(result: &PlainRegion, sum: &ExactRegion<Q>, unit: f6
 /// # Errors
 /// [`OracleError::BadNumber`] for coordinates too large for doubles.
 pub fn between<Q: Number>(result: &ExactRegion<Q>, sum: &ExactRegion<Q>, unit: f64) -> Result<Bracket, OracleError> {
-    let nowhere = (f64::NAN, f64::NAN);
     if result.unbounded() != sum.unbounded() || result.is_empty() != sum.is_empty() {
-        let more = result.unbounded() > sum.unbounded() || sum.is_empty();
+        let more = (result.unbounded() && !sum.unbounded()) || sum.is_empty();
         let direction = if more { Direction::FromResult } else { Direction::FromSum };
-        return Ok(Bracket { lo: f64::INFINITY, hi: f64::INFINITY, direction, witness: nowhere });
+        return Ok(Bracket::new::<Q>(Interval::point(f64::INFINITY), unit, direction, None));
     }
     let [surplus, lack] = differences(result, sum)?;
     let (to_sum, to_result) = (Locator::new(sum)?, Locator::new(result)?);
@@ -76,20 +76,42 @@ pub fn between<Q: Number>(result: &ExactRegion<Q>, sum: &ExactRegion<Q>, unit: f
     let (direction, search) =
         if forth.reached().0 >= back.reached().0 { (Direction::FromResult, forth) } else { (Direction::FromSum, back) };
     let (lo, place) = search.reached();
-    let unit = Interval::point(unit);
-    Ok(Bracket {
-        lo: (Interval::point(lo) / unit).lo(),
-        hi: (Interval::point(hi) / unit).hi(),
-        direction,
-        witness: place.map_or(nowhere, |place| place.nearest()),
-    })
+    Ok(Bracket::new(Interval::new(lo, hi), unit, direction, place))
+}
+
+impl Bracket {
+    /// The bracket of a length in input units, attained at this point.
+    pub(crate) fn new<Q: Number>(length: Interval, unit: f64, direction: Direction, place: Option<&Point<Q>>) -> Self {
+        let unit = Interval::point(unit);
+        let scaled = |end: f64| if end.is_finite() { Interval::point(end) / unit } else { Interval::point(end) };
+        let witness = place.map_or((f64::NAN, f64::NAN), Point::nearest);
+        Self { lo: scaled(length.lo()).lo(), hi: scaled(length.hi()).hi(), direction, witness }
+    }
+}
+
+/// Bounds of the directed distance, in input units: how far `from` reaches out of `to`, and the point that attains the
+/// lower bound. Both are infinite where there is nothing to measure to.
+///
+/// # Errors
+/// As [`between`].
+pub fn reach<Q: Number>(
+    from: &ExactRegion<Q>,
+    to: &ExactRegion<Q>,
+    floor: f64,
+) -> Result<(Interval, Option<Point<Q>>), OracleError> {
+    if (from.unbounded() && !to.unbounded()) || (to.is_empty() && !from.is_empty()) {
+        return Ok((Interval::point(f64::INFINITY), None));
+    }
+    let [surplus, _] = differences(from, to)?;
+    let locator = Locator::new(to)?;
+    let mut search = Farthest::new(&locator, trapezoids(surplus));
+    let hi = search.refine(0.0, floor);
+    let (lo, place) = search.reached();
+    Ok((Interval::new(lo, hi), place.cloned()))
 }
 
 /// The boundaries of `a` without `b` and of `b` without `a`.
-fn differences<Q: Number>(
-    a: &ExactRegion<Q>,
-    b: &ExactRegion<Q>,
-) -> Result<[Vec<crate::arrange::Edge<Q>>; 2], OracleError> {
+fn differences<Q: Number>(a: &ExactRegion<Q>, b: &ExactRegion<Q>) -> Result<[Vec<Edge<Q>>; 2], OracleError> {
     let mut curves = Curves::default();
     for (layer, region) in [a, b].into_iter().enumerate() {
         region.loops().iter().for_each(|ring| curves.ring(ring.iter().cloned(), layer));

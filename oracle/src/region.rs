@@ -191,13 +191,22 @@ pub fn ring_area<Q: Number>(ring: &[Point<Q>]) -> Q {
 
 /// The loops of a polygonal plain region as exact points.
 fn exact_rings<Q: Number>(region: &PlainRegion) -> Result<Vec<Vec<Point<Q>>>, OracleError> {
-    let corner = |ring: usize, vertex: usize, corner: &Corner| {
-        if corner.bend != Bend::Line {
+    for (ring, corners) in region.loops.iter().enumerate() {
+        if let Some(vertex) = corners.iter().position(|corner| corner.bend != Bend::Line) {
             return Err(OracleError::NotPolygonal { ring, vertex });
         }
-        let reason = "a coordinate is not finite";
+    }
+    region.loops.iter().enumerate().map(|(r, ring)| ring_points(r, ring)).collect()
+}
+
+/// The exact points of a loop's corners; `ring` is its index for the error.
+///
+/// # Errors
+/// [`OracleError::BadNumber`] for a coordinate that is not finite.
+pub fn ring_points<Q: Number>(ring: usize, corners: &[Corner]) -> Result<Vec<Point<Q>>, OracleError> {
+    let reason = "a coordinate is not finite";
+    let point = |(vertex, corner): (usize, &Corner)| {
         Point::from_f64(corner.x, corner.y).ok_or(OracleError::BadNumber { ring, vertex, reason })
     };
-    let ring = |(r, ring): (usize, &Vec<Corner>)| ring.iter().enumerate().map(|(v, c)| corner(r, v, c)).collect();
-    region.loops.iter().enumerate().map(ring).collect()
+    corners.iter().enumerate().map(point).collect()
 }
