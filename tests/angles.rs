@@ -3,7 +3,8 @@
 use arcsum::angle::Ang;
 use arcsum_tests::cases;
 use arcsum_tests::precise::{Vector, big, in_eps, pi, reduced, relative, value};
-use arcsum_tests::worst::{Formula, Random};
+use arcsum_tests::random::Random;
+use arcsum_tests::worst::Formula;
 use glam::DVec2;
 use proptest::prelude::*;
 use rug::Float;

@@ -5,7 +5,8 @@ use arcsum::arc::{Arc, ArcError, half_sweep_of_bulge, half_sweep_of_radius, radi
 use arcsum::sum3::Rounding;
 use arcsum_tests::cases;
 use arcsum_tests::precise::{Circular, Vector, big, in_eps, reduced, relative, value};
-use arcsum_tests::worst::{Formula, Random, Worst};
+use arcsum_tests::random::Random;
+use arcsum_tests::worst::{Formula, Worst};
 use glam::DVec2;
 use proptest::prelude::*;
 use rug::Float;

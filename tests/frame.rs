@@ -3,7 +3,8 @@
 use arcsum::frame::Frame;
 use arcsum::region::{Curve, Node, Region};
 use arcsum_tests::cases;
-use arcsum_tests::worst::Random;
+use arcsum_tests::random::Random;
+
 use glam::DVec2;
 use proptest::prelude::*;
 use rug::Float;
