@@ -52,7 +52,7 @@ pub struct Arc {
 /// [`ArcError`], as its variants say.
 pub fn half_sweep_of_radius(tail: DVec2, head: DVec2, r: f64) -> Result<f64, ArcError> {
     let chord = chord(tail, head)?;
-    if r.is_nan() {
+    if !r.is_finite() {
         return Err(ArcError::NotFinite);
     }
     if r == 0.0 {
@@ -75,7 +75,7 @@ fn half_sweep([x, y]: [(f64, f64); 2], r: f64) -> Option<f64> {
     let length = twofold_sqrt(threefold_sum(&mut [square_terms(x, 1.0), square_terms(y, 1.0)].concat()));
     // Beyond this ratio the chord no longer shows in the radicand: relative error (L/2r)^2/2 < 2^-61.
     if r >= length.0 * f64::from(1 << 30) {
-        return Some(twofold_atan(length, (2.0 * r, 0.0)));
+        return Some(twofold_atan(length, ((2.0 * r).min(f64::MAX), 0.0)));
     }
     let diameter = square_terms((r, 0.0), 4.0);
     let radicand = threefold_sum(&mut [diameter, square_terms(x, -1.0), square_terms(y, -1.0)].concat());

@@ -240,6 +240,8 @@ fn impossible_arcs_are_told() {
     assert_eq!(Arc::with_bulge(o, e, 0.0), Err(ArcError::ZeroSweep));
     assert_eq!(Arc::with_bulge(o, e, f64::INFINITY), Err(ArcError::NotFinite));
     assert_eq!(Arc::with_radius(o, e, f64::NAN), Err(ArcError::NotFinite));
+    assert_eq!(Arc::with_radius(o, e, f64::INFINITY), Err(ArcError::NotFinite));
+    assert!(half_sweep_of_radius(o, e * 1e-300, 1e300).is_ok_and(|delta| (0.0..1e-300).contains(&delta)));
     assert_eq!(Arc::with_radius(o, DVec2::new(f64::NAN, 0.0), 1.0), Err(ArcError::NotFinite));
     // A radius printed with 15 digits may fall short of half the chord.
     let printed = Arc::with_radius(o, DVec2::splat(0.1), -0.0707106781186547).expect("a half circle but for rounding");
