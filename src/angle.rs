@@ -16,8 +16,8 @@ pub(crate) const FRAC_PI_2_LOW: f64 = 6.123_233_995_736_766e-17;
 /// The angle of a rightward normal: the nearest axis and the signed offset from it.
 ///
 /// `k` counts axes +x, +y, -x, -y as 0 to 3; the half of axis 0 below it is stored as 4, so the lexicographic
-/// order is the order of angles on [0, 360) degrees. Canonical: `off` in (-pi/4, pi/4], never -0.0, and (4, 0) is (0, 0);
-/// equality is therefore equality of the pair.
+/// order is the order of angles on [0, 360) degrees. Canonical: `off` in (-pi/4, pi/4], never -0.0, and (4, 0) is (0,
+/// 0); equality is therefore equality of the pair.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ang {
     k: u8,
@@ -105,8 +105,8 @@ impl Ang {
         Self::canonical(i32::from(self.k) + quarters as i32, offset(quarters))
     }
 
-    /// The signed turn from this angle to the other in radians, counter-clockwise positive, in (-pi, pi], right to 2 eps
-    /// of itself plus 2^-105. Exactly pi for opposite angles; the sign is right even where the value rounds to pi.
+    /// The signed turn from this angle to the other in radians, counter-clockwise positive, in (-pi, pi], right to 2
+    /// eps of itself plus 2^-105. Exactly pi for opposite angles; the sign is right even where the value rounds to pi.
     #[must_use]
     pub fn turn_to(self, other: Self) -> f64 {
         let (sum, error) = two_sum(other.off, -self.off);

@@ -52,7 +52,7 @@ pub struct Arc {
 /// [`ArcError`], as its variants say.
 pub fn half_sweep_of_radius(tail: DVec2, head: DVec2, r: f64) -> Result<f64, ArcError> {
     let chord = chord(tail, head)?;
-    if r.is_nan() {
+    if !r.is_finite() {
         return Err(ArcError::NotFinite);
     }
     if r == 0.0 {
@@ -75,7 +75,7 @@ fn half_sweep([x, y]: [(f64, f64); 2], r: f64) -> Option<f64> {
     let length = twofold_sqrt(threefold_sum(&mut [square_terms(x, 1.0), square_terms(y, 1.0)].concat()));
     // Beyond this ratio the chord no longer shows in the radicand: relative error (L/2r)^2/2 < 2^-61.
     if r >= length.0 * f64::from(1 << 30) {
-        return Some(twofold_atan(length, (2.0 * r, 0.0)));
+        return Some(twofold_atan(length, ((2.0 * r).min(f64::MAX), 0.0)));
     }
     let diameter = square_terms((r, 0.0), 4.0);
     let radicand = threefold_sum(&mut [diameter, square_terms(x, -1.0), square_terms(y, -1.0)].concat());
@@ -146,8 +146,8 @@ impl Arc {
         Self { tail, head, a, b, delta, sine: libm::sin(delta) }
     }
 
-    /// The same arc with its end angles changed a little. Beyond a half circle the half sweep and its sine stay, as they
-    /// are known better than the angles tell.
+    /// The same arc with its end angles changed a little. Beyond a half circle the half sweep and its sine stay, as
+    /// they are known better than the angles tell.
     #[must_use]
     pub(crate) fn turned(self, a: Ang, b: Ang) -> Self {
         if self.delta.abs() > FRAC_PI_2 {
@@ -212,8 +212,8 @@ impl Arc {
         }
     }
 
-    /// The point at normal angle `theta` plus `q`, rounded as asked (memo A6), of an x- and y-monotone arc. Stays in the
-    /// box of the two ends plus `q`, so rounding breaks no monotonicity.
+    /// The point at normal angle `theta` plus `q`, rounded as asked (memo A6), of an x- and y-monotone arc. Stays in
+    /// the box of the two ends plus `q`, so rounding breaks no monotonicity.
     #[must_use]
     pub fn point_plus(&self, theta: Ang, q: DVec2, rounding: Rounding) -> DVec2 {
         let (end, way) = self.offset(theta);

@@ -1,9 +1,9 @@
 //! The unit box: the power of two and the shift that carry input units to it and back (memo A4 step 1).
 //!
-//! unit = (p - shift) 2^-exp. One `exp` serves all regions of a case, so that the larger side of the largest bounding box
-//! lies in (1/2, 1] up to the rounding of arc extents; each region has its own shift. Both steps are exact as long as no
-//! nonzero difference falls below 2^-1022 of the unit box; smaller ones lose bits or become zero. Coordinates below
-//! 2^1020 do not overflow on the way.
+//! unit = (p - shift) 2^-exp. One `exp` serves all regions of a case, so that the larger side of the largest bounding
+//! box lies in (1/2, 1] up to the rounding of arc extents; each region has its own shift. Both steps are exact as long
+//! as no nonzero difference falls below 2^-1022 of the unit box; smaller ones lose bits or become zero. Coordinates
+//! below 2^1020 do not overflow on the way.
 
 use crate::arc::Arc;
 use crate::region::{Curve, Node, Region};
@@ -125,8 +125,8 @@ fn scale(regions: &[&Region]) -> Option<i32> {
 }
 
 /// The centre of the bounding box on a grid of half the unit box, by coordinates, or 0 where nothing is gained (the box
-/// is within one side of the origin) or where some difference would not be exact. Every vertex ends below 1.5 in magnitude:
-/// coordinates that all exceed half a side share a last place coarse enough to shift exactly.
+/// is within one side of the origin) or where some difference would not be exact. Every vertex ends below 1.5 in
+/// magnitude: coordinates that all exceed half a side share a last place coarse enough to shift exactly.
 fn shift(regions: &[&Region], exp: i32) -> DVec2 {
     let Some(bounds) = Bounds::of(regions) else { return DVec2::ZERO };
     let to_grid = |x: f64| libm::ldexp(x, bounds.exponent - exp + 1);

@@ -1,17 +1,17 @@
 //! Edges of a loop with the normal angles at their ends, and the joints where one edge goes over into the next.
 //!
-//! A tangential joint is computed twice, once from each edge, and the two angles differ by rounding: of the formulas, and
-//! of the coordinates, whose last place turns a chord of length L by up to about eps/L. Left alone, each would become a
-//! turn of no meaning, or a sliver between an arc's end and an axis normal nearby (memo A1). So the end angles of arcs
-//! adapt: to a neighbouring line, to an axis normal, or to a longer arc, in this order. The angle of a line never
-//! changes.
+//! A tangential joint is computed twice, once from each edge, and the two angles differ by rounding: of the formulas,
+//! and of the coordinates, whose last place turns a chord of length L by up to about eps/L. Left alone, each would
+//! become a turn of no meaning, or a sliver between an arc's end and an axis normal nearby (memo A1). So the end angles
+//! of arcs adapt: to a neighbouring line, to an axis normal, or to a longer arc, in this order. The angle of a line
+//! never changes.
 
 use crate::angle::Ang;
 use crate::arc::{Arc, ArcError, radius_of_bulge};
 use crate::frame::Frame;
 use crate::region::{Curve, Node};
 use glam::DVec2;
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// How far a change of an end angle may swing the other end of the arc, in the unit box: 4 eps. The arc itself then
 /// moves by at most a quarter of that at each such end, the sagitta being L/2 tan(delta/2).
@@ -62,12 +62,15 @@ impl Edge {
         }
     }
 
-    /// By how much an end angle may change: so that [`SWING`] holds, and by no more than an eighth of the sweep. Zero
-    /// for a line.
+    /// By how much an end angle may change: so that [`SWING`] holds, and by no more than an eighth of the sweep or of
+    /// what it lacks of a full circle, so that the ends do not pass each other. Zero for a line.
     pub(crate) fn tolerance(&self) -> f64 {
         match self {
             Self::Line { .. } => 0.0,
-            Self::Arc { arc, .. } => (SWING / self.size()).min(arc.delta().abs() / 4.0),
+            Self::Arc { arc, .. } => {
+                let half = arc.delta().abs();
+                (SWING / self.size()).min(half / 4.0).min((PI - half) / 4.0)
+            }
         }
     }
 

@@ -13,7 +13,8 @@ const TOUCH: f64 = 8.0 * f64::EPSILON;
 /// How many segments of a hole are probed, each at its tail and in its middle.
 const PROBES: usize = 8;
 
-/// The connected parts, the unbounded one first if there is one. `outer` tells for each loop whether it is an outer one.
+/// The connected parts, the unbounded one first if there is one. `outer` tells for each loop whether it is an outer
+/// one.
 ///
 /// # Errors
 /// The index of a hole that lies in no outer loop of a bounded region.

@@ -1,8 +1,8 @@
 //! Smoothed regions: lines, monotone circle segments and the turns between them (MS 2, MS 4.1; memo A3, A4, A7).
 //!
 //! [`Smooth::new`] scales a region to its frame, computes all normal angles once, makes tangential joints agree
-//! ([`crate::joint`]), splits arcs at the axis normals and puts a turn wherever the angle jumps. Every segment starts at
-//! the vertex and at the angle where the one before it ended, whatever the rounding.
+//! ([`crate::joint`]), splits arcs at the axis normals and puts a turn wherever the angle jumps. Every segment starts
+//! at the vertex and at the angle where the one before it ended, whatever the rounding.
 
 use crate::angle::Ang;
 use crate::arc::{Arc, ArcError};
@@ -171,8 +171,8 @@ impl Smooth {
         Ok(Self { points, loops, components, counts })
     }
 
-    /// The lines and arcs as pieces of an arrangement, without the turns; `source.first` is the edge. Their vertices are
-    /// [`Smooth::points`].
+    /// The lines and arcs as pieces of an arrangement, without the turns; `source.first` is the edge. Their vertices
+    /// are [`Smooth::points`].
     #[must_use]
     pub fn pieces(&self, operand: u8) -> Vec<Piece> {
         let segs = self.loops.iter().flat_map(|l| &l.segs).filter(|s| s.kind != Kind::Turn);

@@ -1,7 +1,7 @@
 //! The sum of three doubles, rounded once (memo A6): what MS 4.1 asks of every end point `t + d + q`.
 //!
-//! MS add the two errors of two TwoSums, which is not the correctly rounded sum (memo fact 9). Rounding the inner sum of
-//! the errors to odd is (Boldo and Melquiond, *Emulation of FMA and correctly rounded sums*, 2008).
+//! MS add the two errors of two TwoSums, which is not the correctly rounded sum (memo fact 9). Rounding the inner sum
+//! of the errors to odd is (Boldo and Melquiond, *Emulation of FMA and correctly rounded sums*, 2008).
 
 use crate::twofold::two_sum;
 use glam::DVec2;
@@ -39,8 +39,8 @@ fn round_once(t: f64, d: f64, q: f64) -> f64 {
     outer + odd_sum(outer_error, inner_error)
 }
 
-/// `x + y` rounded to odd: exact, or the neighbour with an odd last bit. A later rounding to nearest then cannot mistake
-/// an inexact sum for a tie.
+/// `x + y` rounded to odd: exact, or the neighbour with an odd last bit. A later rounding to nearest then cannot
+/// mistake an inexact sum for a tie.
 fn odd_sum(x: f64, y: f64) -> f64 {
     let (s, error) = two_sum(x, y);
     if error == 0.0 || s.to_bits() & 1 == 1 {

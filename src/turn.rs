@@ -1,11 +1,11 @@
 //! The signed turn at a vertex from one segment to the next (memo A7).
 //!
-//! Two segments that meet in a cusp, 180 degrees up to rounding, turn to the side that the angles cannot tell: a spike of
-//! the region turns left (convex), a crack in it turns right. There, lines are compared by an exact orientation test and
-//! arcs by their curvature.
+//! Two segments that meet in a cusp, 180 degrees up to rounding, turn to the side that the angles cannot tell: a spike
+//! of the region turns left (convex), a crack in it turns right. There, lines are compared by an exact orientation test
+//! and arcs by their curvature.
 
 use crate::angle::Ang;
-use crate::twofold::{exact_sign, two_product, two_sum};
+use crate::exact::orientation;
 use glam::DVec2;
 use std::f64::consts::PI;
 
@@ -21,32 +21,19 @@ pub(crate) struct Bend {
     pub(crate) r: f64,
 }
 
-/// The turn in radians from angle b, where `before` ends, to angle a, where `after` starts: within pi, or beyond it by no
-/// more than [`CUSP`] at a cusp. `None` if the two run back over each other.
+/// The turn in radians from angle b, where `before` ends, to angle a, where `after` starts: within pi, or beyond it by
+/// no more than [`CUSP`] at a cusp. `None` if the two run back over each other.
 pub(crate) fn turn(b: Ang, a: Ang, before: &Bend, after: &Bend) -> Option<f64> {
     let turn = b.turn_to(a);
     if turn.abs() < PI - CUSP {
         return Some(turn);
     }
     let side = if before.r == 0.0 && after.r == 0.0 {
-        orientation(before.tail, before.head, after.head)
+        f64::from(orientation(before.tail, before.head, after.head) as i8)
     } else {
         // Next to the cusp, `after` runs left of `before`, with the region's inside between them, if it curves less.
         let curvature = |bend: &Bend| if bend.r == 0.0 { 0.0 } else { 1.0 / bend.r };
         -(curvature(before) + curvature(after))
     };
     (side != 0.0).then(|| libm::copysign(turn, side))
-}
-
-/// The sign of twice the area of the triangle: positive if p, q, r turn left. Exact but for underflow.
-fn orientation(p: DVec2, q: DVec2, r: DVec2) -> f64 {
-    let difference = |x: f64, y: f64| two_sum(x, -y);
-    let (ux, uy) = (difference(q.x, p.x), difference(q.y, p.y));
-    let (vx, vy) = (difference(r.x, p.x), difference(r.y, p.y));
-    let product = |(x, x_low): (f64, f64), (y, y_low): (f64, f64)| {
-        [two_product(x, y), two_product(x, y_low), two_product(x_low, y), two_product(x_low, y_low)]
-    };
-    let plus = product(ux, vy).into_iter().flat_map(|(h, l)| [h, l]);
-    let minus = product(uy, vx).into_iter().flat_map(|(h, l)| [-h, -l]);
-    exact_sign(plus.chain(minus).collect())
 }

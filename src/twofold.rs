@@ -35,21 +35,17 @@ pub fn twofold_atan((y, y_error): (f64, f64), (x, x_error): (f64, f64)) -> f64 {
 }
 
 /// The sum of the terms as if in threefold precision: error at most 2^-105 |sum| + (n 2^-53)^3 times the sum of the
-/// absolute values (Ogita, Rump, Oishi, *Accurate sum and dot product*, algorithm SumK with K = 3). Overwrites the terms.
+/// absolute values (Ogita, Rump, Oishi, *Accurate sum and dot product*, algorithm SumK with K = 3). Overwrites the
+/// terms.
 #[must_use]
 pub fn threefold_sum(terms: &mut [f64]) -> (f64, f64) {
     for _ in 0..2 {
-        add_up(terms);
+        for i in 1..terms.len() {
+            (terms[i], terms[i - 1]) = two_sum(terms[i], terms[i - 1]);
+        }
     }
     let Some((last, rest)) = terms.split_last() else { return (0.0, 0.0) };
     two_sum(*last, rest.iter().sum())
-}
-
-/// Moves as much of the sum as fits to the last term, keeping the exact sum of all.
-fn add_up(terms: &mut [f64]) {
-    for i in 1..terms.len() {
-        (terms[i], terms[i - 1]) = two_sum(terms[i], terms[i - 1]);
-    }
 }
 
 /// The terms of the square of a twofold number times `scale`, for a [`threefold_sum`]. `scale` is a power of two or its
@@ -59,19 +55,4 @@ pub fn square_terms((x, error): (f64, f64), scale: f64) -> [f64; 5] {
     let (p, p_low) = two_product(x, x);
     let (m, m_low) = two_product(2.0 * x, error);
     [scale * p, scale * p_low, scale * m, scale * m_low, scale * (error * error)]
-}
-
-/// The sign of the exact sum of the terms: -1, 0 or 1.
-#[must_use]
-pub fn exact_sign(mut terms: Vec<f64>) -> f64 {
-    // Each pass of TwoSums keeps the sum and moves weight to the last term; when nothing moves any more, the terms no
-    // longer overlap and the last one outweighs the rest. As many passes as terms are enough.
-    for _ in 0..terms.len() {
-        let before = terms.clone();
-        add_up(&mut terms);
-        if terms == before {
-            break;
-        }
-    }
-    terms.last().map_or(0.0, |&last| if last == 0.0 { 0.0 } else { last.signum() })
 }

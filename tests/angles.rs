@@ -3,7 +3,8 @@
 use arcsum::angle::Ang;
 use arcsum_tests::cases;
 use arcsum_tests::precise::{Vector, big, in_eps, pi, reduced, relative, value};
-use arcsum_tests::worst::{Formula, Random};
+use arcsum_tests::random::Random;
+use arcsum_tests::worst::Formula;
 use glam::DVec2;
 use proptest::prelude::*;
 use rug::Float;
@@ -151,8 +152,8 @@ fn functions_keep_their_bounds() {
 }
 
 /// Memo fact 4: step 2 of the realization moves the head of a line by a few eps, while angles in radians break it.
-/// An offset wrong by 3 eps of itself moves the head by at most 3 |dx| |off| / sin^2 phi <= 3 pi/2 for |dx|, |dy| <= 1, as
-/// in the unit box.
+/// An offset wrong by 3 eps of itself moves the head by at most 3 |dx| |off| / sin^2 phi <= 3 pi/2 for |dx|, |dy| <= 1,
+/// as in the unit box.
 #[test]
 fn realized_lines_stay_put() {
     let name = "realized_line";

@@ -5,7 +5,8 @@ use arcsum::arc::{Arc, ArcError, half_sweep_of_bulge, half_sweep_of_radius, radi
 use arcsum::sum3::Rounding;
 use arcsum_tests::cases;
 use arcsum_tests::precise::{Circular, Vector, big, in_eps, reduced, relative, value};
-use arcsum_tests::worst::{Formula, Random};
+use arcsum_tests::random::Random;
+use arcsum_tests::worst::{Formula, Worst};
 use glam::DVec2;
 use proptest::prelude::*;
 use rug::Float;
@@ -188,8 +189,8 @@ fn fails(name: &'static str, draw: fn(&mut Random) -> Vec<f64>, error: fn(&[f64]
 }
 
 /// Bounds, in eps of the value: [`twofold_atan`](arcsum::twofold::twofold_atan) has 3, and taken from a right angle at
-/// most as much again plus one rounding; the radius of a bulge has 1 from the chord, 2 from its length, 3.5 from the sine
-/// and 1 from the division. Near half circles memo fact 3 has 1.3 eps.
+/// most as much again plus one rounding; the radius of a bulge has 1 from the chord, 2 from its length, 3.5 from the
+/// sine and 1 from the division. Near half circles memo fact 3 has 1.3 eps.
 #[test]
 fn half_sweeps_and_radii() {
     formula("half_sweep_of_radius", 4.0, by_radius, sweep_of_radius).check(DRAWS);
@@ -201,9 +202,9 @@ fn half_sweeps_and_radii() {
 }
 
 /// Points of monotone pieces: 4 eps from the circle, the promise of memo A5. The way there has at most 4.3 eps from
-/// turning the chord (two products and a sum a coordinate, with sine, cosine and chord off by 1 eps each) and 6 along it
-/// from its length, so 10.3 times sin u / sin delta <= 0.54 of the chord. Longer arcs, before they are cut, reach 4.3 + 6
-/// eps of a way of length 1 in all, and 0.7 from the last rounding.
+/// turning the chord (two products and a sum a coordinate, with sine, cosine and chord off by 1 eps each) and 6 along
+/// it from its length, so 10.3 times sin u / sin delta <= 0.54 of the chord. Longer arcs, before they are cut, reach
+/// 4.3 + 6 eps of a way of length 1 in all, and 0.7 from the last rounding.
 #[test]
 fn points() {
     formula("point_normal", 4.0, by_radius, normal_error).check(DRAWS);
@@ -212,6 +213,20 @@ fn points() {
     formula("cut", 11.0, by_bulge, cut_error).check(DRAWS);
     fails("printed point", by_radius, printed_point_error, 1e6);
     fails("tangential", by_radius, tangential_error, 1e6);
+}
+
+/// The search itself finds what is wrong with the arc sine.
+#[test]
+#[should_panic(expected = "exceeds 1.3 eps")]
+fn arc_sine_exceeds_the_bound() {
+    formula("arc_sine", 1.3, by_radius, sweep_by_asin).check(DRAWS);
+}
+
+#[test]
+#[should_panic(expected = "rose to")]
+fn worse_than_kept_is_told() {
+    let kept = Worst { error: 0.1, input: vec![0.1, 0.2, 0.3, 0.5, 1.0] };
+    let _ = formula("half_sweep", 4.0, by_radius, sweep_of_radius).again(vec![kept]);
 }
 
 #[test]
@@ -225,6 +240,8 @@ fn impossible_arcs_are_told() {
     assert_eq!(Arc::with_bulge(o, e, 0.0), Err(ArcError::ZeroSweep));
     assert_eq!(Arc::with_bulge(o, e, f64::INFINITY), Err(ArcError::NotFinite));
     assert_eq!(Arc::with_radius(o, e, f64::NAN), Err(ArcError::NotFinite));
+    assert_eq!(Arc::with_radius(o, e, f64::INFINITY), Err(ArcError::NotFinite));
+    assert!(half_sweep_of_radius(o, e * 1e-300, 1e300).is_ok_and(|delta| (0.0..1e-300).contains(&delta)));
     assert_eq!(Arc::with_radius(o, DVec2::new(f64::NAN, 0.0), 1.0), Err(ArcError::NotFinite));
     // A radius printed with 15 digits may fall short of half the chord.
     let printed = Arc::with_radius(o, DVec2::splat(0.1), -0.0707106781186547).expect("a half circle but for rounding");
@@ -279,7 +296,7 @@ proptest! {
             prop_assert!(half.abs() <= FRAC_PI_4, "{:?}", pair);
             if a != b {
                 // The direction of travel is the rightward normal turned left.
-                let travel = a.plus(half).plus(FRAC_PI_2).normal();
+                let travel = a.plus(half).normal().perp();
                 prop_assert!(((to - from) * travel).cmpge(DVec2::ZERO).all(), "{:?}", pair);
             }
         }
@@ -294,8 +311,8 @@ proptest! {
         if arc.delta().abs() < FRAC_PI_2 {
             prop_assert_eq!(back.delta(), -arc.delta());
             let theta = pick(&arc, fraction).0;
-            prop_assert_eq!(back.offset(theta.opposite()).1.length() <= 1.0 , true);
-            let difference = arc.offset(theta).0 + arc.offset(theta).1 - back.offset(theta.opposite()).0 - back.offset(theta.opposite()).1;
+            let point = |(end, way): (DVec2, DVec2)| end + way;
+            let difference = point(arc.offset(theta)) - point(back.offset(theta.opposite()));
             prop_assert!(difference.length() <= 16.0 * f64::EPSILON);
         }
     }

@@ -1,5 +1,6 @@
 //! Shared inputs and judges of the integration tests.
 
+mod draw;
 pub mod fiber;
 pub mod liar;
 pub mod precise;

@@ -2,7 +2,8 @@
 
 use arcsum::sum3::Rounding;
 use arcsum_tests::cases;
-use arcsum_tests::worst::Random;
+use arcsum_tests::random::Random;
+
 use proptest::prelude::*;
 use rug::Float;
 
@@ -37,7 +38,7 @@ fn adversary(random: &mut Random) -> [f64; 3] {
             [random.uniform(0.5, 1.0), tie, random.sign() * 2f64.powi(-55 - random.below(60) as i32)]
         }
     };
-    terms.rotate_left(random.below(3) as usize);
+    terms.rotate_left(random.below(3));
     terms
 }
 

@@ -1,93 +1,16 @@
 //! The search for worst inputs: draw, climb, compare with a bound, and keep the worst found as a file.
 //!
-//! `worst/NAME.csv` holds the worst inputs known, one a line: the error in eps = 2^-53, then the input. Every run measures
-//! them again; one that has become worse fails. With `ARCSUM_KEEP_WORST` set, a run rewrites the files with what it found.
+//! `worst/NAME.csv` holds the worst inputs known, one a line: the error in eps = 2^-53, then the input. Every run
+//! measures them again; one that has become worse fails. With `ARCSUM_KEEP_WORST` set, a run rewrites the files with
+//! what it found.
 
+use crate::random::Random;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::PathBuf;
 
 /// How many lines a file keeps.
 const KEPT: usize = 4;
-
-/// A small generator of random numbers (splitmix64): the same on every platform and for every version of other crates.
-#[derive(Clone, Debug)]
-pub struct Random(u64);
-
-impl Random {
-    /// Starts from a seed.
-    #[must_use]
-    pub fn new(seed: u64) -> Self {
-        Self(seed)
-    }
-
-    /// 64 random bits.
-    pub fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        mixed ^ (mixed >> 31)
-    }
-
-    /// A number below `n`.
-    pub fn below(&mut self, n: u64) -> u64 {
-        self.bits() % n
-    }
-
-    /// Uniform in [lo, hi).
-    pub fn uniform(&mut self, lo: f64, hi: f64) -> f64 {
-        lo + (hi - lo) * (self.bits() >> 11) as f64 * f64::EPSILON / 2.0
-    }
-
-    /// 10 to a uniform power between lo and hi.
-    pub fn decade(&mut self, lo: f64, hi: f64) -> f64 {
-        10f64.powf(self.uniform(lo, hi))
-    }
-
-    /// 1 or -1.
-    pub fn sign(&mut self) -> f64 {
-        if self.bits() & 1 == 0 { 1.0 } else { -1.0 }
-    }
-
-    /// One of the choices.
-    pub fn pick<T: Copy>(&mut self, choices: &[T]) -> T {
-        choices[self.below(choices.len() as u64) as usize]
-    }
-
-    /// A direction of length about 1: anywhere, near a diagonal, or near an axis down to subnormal numbers.
-    pub fn direction(&mut self) -> [f64; 2] {
-        let (major, sign) = (self.uniform(0.5, 1.0), self.sign());
-        let minor = match self.below(4) {
-            0 => self.uniform(0.0, 1.0),
-            1 => major * (1.0 - self.decade(-17.0, -1.0)),
-            2 => major * self.decade(-17.0, 0.0),
-            _ => major * self.decade(-320.0, -8.0),
-        };
-        let mut direction = [sign * major, minor * self.sign()];
-        direction.rotate_left(self.below(2) as usize);
-        direction
-    }
-
-    /// A tail and a head in the unit box about the origin, a chord of any length from 1e-12 up between them.
-    pub fn chord(&mut self) -> [f64; 4] {
-        let length = if self.below(2) == 0 { 1.0 } else { self.decade(-12.0, 0.0) };
-        let way = self.direction().map(|x| x * length);
-        // Half the time about the origin or on an axis, so that chords keep digits below the last place of 1.
-        let mut place = |way: f64| {
-            let place = self.uniform(-0.5, 0.5) * self.pick(&[1.0, 1.0, 0.0, 1e-9]);
-            if (place + way).abs() > 0.5 { -way / 2.0 } else { place }
-        };
-        let tail = way.map(&mut place);
-        [tail[0], tail[1], tail[0] + way[0], tail[1] + way[1]]
-    }
-
-    /// The number moved by up to `n` doubles either way.
-    pub fn jitter(&mut self, x: f64, n: u64) -> f64 {
-        let steps = self.below(2 * n + 1) as i64 - n as i64;
-        let magnitude = (x.abs().to_bits() as i64 + steps).max(0);
-        f64::from_bits(magnitude as u64).copysign(x)
-    }
-}
 
 /// A formula with a bound for its error.
 pub struct Formula {
@@ -111,25 +34,35 @@ pub struct Worst {
 }
 
 impl Formula {
-    /// Measures the kept inputs, then searches with `draws` random inputs and climbs from the worst. Prints a row of the
-    /// accuracy table.
+    /// Measures the kept inputs, then searches with `draws` random inputs and climbs from the worst. Prints a row of
+    /// the accuracy table.
     ///
     /// # Panics
     /// If an error exceeds the bound or a kept input has become worse.
     pub fn check(&self, draws: usize) {
-        let mut kept = self.kept();
+        let kept = self.kept();
         let known = kept.first().map_or(0.0, |w| w.error);
-        for old in &mut kept {
-            let now = (self.error)(&old.input).unwrap_or(f64::INFINITY);
-            assert!(now <= old.error * (1.0 + 1e-9), "{}: kept input {old:?} rose to {now} eps", self.name);
-            old.error = now;
-        }
+        let kept = self.again(kept);
         let found = self.search(draws, &kept);
         println!("{:28} worst {:12.4} eps, known {:10.4}, bound {:8.3}", self.name, found[0].error, known, self.bound);
         assert!(found[0].error <= self.bound, "{}: {:?} exceeds {} eps", self.name, found[0], self.bound);
         if std::env::var_os("ARCSUM_KEEP_WORST").is_some() {
             self.keep(&found);
         }
+    }
+
+    /// Measures kept inputs again.
+    ///
+    /// # Panics
+    /// If one has become worse.
+    #[must_use]
+    pub fn again(&self, mut kept: Vec<Worst>) -> Vec<Worst> {
+        for old in &mut kept {
+            let now = (self.error)(&old.input).unwrap_or(f64::INFINITY);
+            assert!(now <= old.error * (1.0 + 1e-9), "{}: kept input {old:?} rose to {now} eps", self.name);
+            old.error = now;
+        }
+        kept
     }
 
     /// The worst inputs of a search, worst first, without a verdict: for formulas that are known to fail.
@@ -162,7 +95,7 @@ impl Formula {
     fn climb(&self, random: &mut Random, mut best: Worst, steps: usize) -> Worst {
         for _ in 0..steps {
             let mut input = best.input.clone();
-            let i = random.below(input.len() as u64) as usize;
+            let i = random.below(input.len());
             input[i] = match random.below(3) {
                 0 => random.jitter(input[i], 3),
                 1 => random.jitter(input[i], 1000),
