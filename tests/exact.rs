@@ -8,7 +8,7 @@ use arcsum_oracle::measure::hausdorff;
 use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
 use arcsum_oracle::polygon;
 use arcsum_tests::cases;
-use arcsum_tests::shapes::{Lattice, holed, simple};
+use arcsum_tests::shapes::{Lattice, bars, holed, nudged_integers, simple};
 use proptest::prelude::*;
 
 fn plain(region: &Region) -> PlainRegion {
@@ -64,5 +64,18 @@ proptest! {
         // Crossings at thirds and fifths are rounded, nothing else is.
         prop_assert!(bracket.hi <= 2_f64.powi(-52), "{bracket:?}");
         prop_assert_eq!(result.loops.len(), loops);
+    }
+
+    /// Lines that rise by much within one unit in the last place of x: no representable point lies between their ends.
+    #[test]
+    fn nearly_vertical_lines(a in bars(), b in bars()) {
+        let (_, _, bracket) = measured(&a, &b);
+        prop_assert!(bracket.hi <= 2_f64.powi(-49), "{bracket:?}");
+    }
+
+    #[test]
+    fn nearly_integers(a in nudged_integers(10, 3), b in nudged_integers(10, 3)) {
+        let (_, _, bracket) = measured(&a, &b);
+        prop_assert!(bracket.hi <= 2_f64.powi(-49), "{bracket:?}");
     }
 }

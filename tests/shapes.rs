@@ -81,3 +81,38 @@ pub fn any_region() -> impl Strategy<Value = Region> {
         holed(8, 0.0, Lattice::Integers(12)),
     ]
 }
+
+/// A number moved by up to three units in its last place.
+fn nudged(x: f64, by: i8) -> f64 {
+    (0..by.abs()).fold(x, |x, _| if by > 0 { x.next_up() } else { x.next_down() })
+}
+
+/// Parallel bars, upright or lying, whose coordinates are a few units in the last place off: nearly vertical and nearly
+/// horizontal lines everywhere.
+pub fn bars() -> impl Strategy<Value = Region> {
+    let bar = (0.1..2.0, 0.1..2.0, prop::array::uniform8(-3..=3_i8), prop::array::uniform4(-0.3..0.3));
+    (prop::collection::vec(bar, 1..5), any::<bool>()).prop_filter_map("not valid", |(bars, upright)| {
+        let one = |(i, (low, high, ulps, slants)): (usize, &(f64, f64, [i8; 8], [f64; 4]))| {
+            let (left, right) = (f64::from(2 * i as u32) / 17.0, f64::from(2 * i as u32 + 1) / 17.0);
+            let corners = [(left, -low), (right, -low), (right, *high), (left, *high)];
+            let node = |k: usize| {
+                let (x, y) = (nudged(corners[k].0, ulps[2 * k]), nudged(corners[k].1 + slants[k], ulps[2 * k + 1]));
+                if upright { Node::line(x, y) } else { Node::line(-y, x) }
+            };
+            (0..4).map(node).collect()
+        };
+        let region = Region { loops: bars.iter().enumerate().map(one).collect(), ..Region::default() };
+        validate(&region).is_ok().then_some(region)
+    })
+}
+
+/// A region whose coordinates are a few units in the last place off integers.
+pub fn nudged_integers(most: usize, lattice: i32) -> impl Strategy<Value = Region> {
+    let ulps = prop::collection::vec((-3..=3_i8, -3..=3_i8), most);
+    (simple(most, 0.0, Lattice::Integers(lattice)), ulps).prop_filter_map("not valid", |(mut region, ulps)| {
+        for (node, (x, y)) in region.loops[0].iter_mut().zip(ulps) {
+            (node.x, node.y) = (nudged(node.x, x), nudged(node.y, y));
+        }
+        validate(&region).is_ok().then_some(region)
+    })
+}

@@ -25,6 +25,9 @@ use std::collections::BinaryHeap;
 /// A crossing to come, of two curves that were neighbours in this order when it was queued.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Event {
+    /// When it happens.
+    key: DVec2,
+    /// Where it happens.
     at: DVec2,
     lower: u32,
     upper: u32,
@@ -40,7 +43,7 @@ impl PartialOrd for Event {
 
 impl Ord for Event {
     fn cmp(&self, other: &Self) -> Ordering {
-        compare(self.at, other.at).then(self.lower.cmp(&other.lower)).then(self.upper.cmp(&other.upper))
+        compare(self.key, other.key).then(self.lower.cmp(&other.lower)).then(self.upper.cmp(&other.upper))
     }
 }
 
@@ -95,7 +98,7 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
         for vertex in 0..self.vertices.points.len() as u32 {
             let point = self.vertices.points[vertex as usize];
             while let Some(&Reverse(event)) = self.queue.peek()
-                && compare(event.at, point).is_le()
+                && compare(event.key, point).is_le()
             {
                 self.queue.pop();
                 self.cross(event, point);
@@ -121,17 +124,17 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
             self.audit.stale += 1;
             return;
         }
-        self.now = event.at;
+        self.now = event.key;
         if event.at == next_vertex && self.passes(event.lower) && self.passes(event.upper) {
             self.joined.extend([event.lower, event.upper]);
             return;
         }
-        if self.settled(lower) {
+        if self.settled(lower).is_ok() {
             self.audit.stale += 1;
             return;
         }
         self.audit.crossings += 1;
-        self.swap(lower, upper);
+        self.swap(lower, upper, event.at);
         self.restore(vec![self.status.near(lower, DOWN), lower, upper]);
     }
 
@@ -148,49 +151,68 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
     }
 
     /// Whether the curve at a place and the one above it agree with the module just after the current event. If so, their
-    /// next crossing is queued.
-    fn settled(&mut self, lower: Place) -> bool {
+    /// next crossing is queued; if not, the answer is where to swap them.
+    fn settled(&mut self, lower: Place) -> Result<(), DVec2> {
         let upper = self.status.near(lower, UP);
         if upper == NOWHERE {
-            return true;
+            return Ok(());
         }
         let (f, g) = (self.status.curve(lower), self.status.curve(upper));
         let answer = self.crossings(f, g);
-        let mut below = answer.below;
+        let (mut below, mut place) = (answer.below, self.now);
         for &at in answer.points() {
-            if compare(at, self.now).is_gt() {
+            let key = self.key_of(at, f, g);
+            if compare(key, self.now).is_gt() {
                 if below {
-                    self.queue.push(Reverse(Event { at, lower: f, upper: g }));
+                    self.queue.push(Reverse(Event { key, at, lower: f, upper: g }));
                     self.audit.queued += 1;
                 }
                 break;
             }
             below = !below;
+            // On steep curves the place may be far in y though it is late by no more than a rounding of x.
+            place = if (at.x - self.now.x).abs() <= self.module.tolerance() { at } else { self.now };
         }
-        below
+        if below { Ok(()) } else { Err(place) }
+    }
+
+    /// When a crossing happens: at its place, but within the time both curves are active. On a line that falls by much
+    /// within one unit in the last place of x no representable place comes between its two ends.
+    fn key_of(&self, at: DVec2, f: u32, g: u32) -> DVec2 {
+        let (f, g) = (&self.curves[f as usize], &self.curves[g as usize]);
+        let start = if compare(f.start, g.start).is_ge() { f.start } else { g.start };
+        let end = if compare(f.right, g.right).is_le() { f.right } else { g.right };
+        if compare(at, start).is_lt() {
+            start
+        } else if compare(at, end).is_gt() {
+            end
+        } else {
+            at
+        }
     }
 
     /// Swaps neighbours until all agree with the module again.
     fn restore(&mut self, mut work: Vec<Place>) {
         while let Some(lower) = work.pop() {
-            if lower == NOWHERE || self.settled(lower) {
+            if lower == NOWHERE {
                 continue;
             }
+            let Err(at) = self.settled(lower) else { continue };
             let upper = self.status.near(lower, UP);
             self.audit.late += 1;
-            self.swap(lower, upper);
+            self.swap(lower, upper, at);
             work.extend([self.status.near(lower, DOWN), lower, upper]);
         }
     }
 
-    /// Exchanges two neighbours at a new vertex at the current point.
-    fn swap(&mut self, lower: Place, upper: Place) {
+    /// Exchanges two neighbours at a new vertex.
+    fn swap(&mut self, lower: Place, upper: Place, at: DVec2) {
         let below = self.status.near(lower, DOWN);
         for place in [below, lower, upper] {
             self.close_gap(place);
         }
         let (f, g) = (self.status.curve(lower), self.status.curve(upper));
-        self.graph.begin_vertex(self.now);
+        self.graph.begin_vertex(at);
         self.graph.close(self.edge_of[g as usize]);
         self.graph.close(self.edge_of[f as usize]);
         self.status.exchange(lower, upper);
@@ -330,7 +352,7 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
 
     fn gather_swap(&mut self, lower: Place, upper: Place) {
         self.audit.gather += 1;
-        self.swap(lower, upper);
+        self.swap(lower, upper, self.now);
     }
 
     /// Adds the lines next to the block that pass through the point to those that end. Moves `around` out of the block.
