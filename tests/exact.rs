@@ -65,6 +65,11 @@ proptest! {
         prop_assert!(bracket.hi <= 2_f64.powi(-52), "{bracket:?}");
         prop_assert_eq!(result.loops.len(), loops);
     }
+}
+
+// Bars are dear to judge.
+proptest! {
+    #![proptest_config(cases(1000))]
 
     /// Lines that rise by much within one unit in the last place of x: no representable point lies between their ends.
     #[test]

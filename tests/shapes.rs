@@ -82,9 +82,10 @@ pub fn any_region() -> impl Strategy<Value = Region> {
     ]
 }
 
-/// A number moved by up to three units in its last place.
+/// A number moved by some units in its last place, or in that of 1/16 if it is smaller.
 fn nudged(x: f64, by: i8) -> f64 {
-    (0..by.abs()).fold(x, |x, _| if by > 0 { x.next_up() } else { x.next_down() })
+    let size = x.abs().max(0.0625);
+    x + f64::from(by) * (size.next_up() - size)
 }
 
 /// Parallel bars, upright or lying, whose coordinates are a few units in the last place off: nearly vertical and nearly

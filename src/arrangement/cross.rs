@@ -60,10 +60,10 @@ pub trait CrossingModule {
     /// Order and crossings of two curves whose parts overlap in the sweep. `f` is the one with the smaller index.
     fn cross(&self, f: &Curve, g: &Curve) -> Crossings;
 
-    /// Signed distance of `p` above the curve.
+    /// How far `p` lies above the curve, vertically; 0 on the line of a vertical.
     fn above(&self, p: DVec2, curve: &Curve) -> f64;
 
-    /// Distances up to this count as zero.
+    /// Vertical distances up to this count as zero.
     fn tolerance(&self) -> f64;
 }
 
@@ -209,7 +209,7 @@ impl Pair<'_> {
             return 0;
         }
         let m = self.point_between(p, q, 0.5);
-        self.sign(self.g.above(m))
+        self.sign(self.g.side(m))
     }
 
     /// A point of f at this fraction between two of its points, parametrised by the longer side of its chord.
@@ -230,8 +230,8 @@ impl Pair<'_> {
         let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..60 {
             let middle = 0.5 * (low + high);
-            let above = self.g.above(self.point_between(start, end, middle));
-            if (above > 0.0) == (first > 0) {
+            let side = self.g.side(self.point_between(start, end, middle));
+            if (side > 0.0) == (first > 0) {
                 low = middle;
             } else {
                 high = middle;

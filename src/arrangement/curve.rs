@@ -145,17 +145,21 @@ impl Curve {
         (base + offset).clamp(self.left.x, self.right.x)
     }
 
-    /// Signed distance of `p` above the curve, for `p` within the x range: right in sign up to a few eps of distance, and
-    /// never larger in size than the distance by more than a few eps. 0 for points on the line of a vertical.
+    /// How far `p` lies above the curve, vertically, for `p` within the x range; 0 on the line of a vertical. As a
+    /// difference of ordinates it orders curves at one abscissa consistently, however steep they are.
     #[must_use]
     pub fn above(&self, p: DVec2) -> f64 {
+        if self.is_vertical() { 0.0 } else { p.y - self.y_at(p.x) }
+    }
+
+    /// Signed distance of `p` from the curve, positive above, for `p` within the x range: right in sign up to a few eps of
+    /// distance, and never larger in size than the distance by more than a few eps. 0 on the line of a vertical.
+    #[must_use]
+    pub fn side(&self, p: DVec2) -> f64 {
         if self.is_vertical() {
             return 0.0;
         }
-        if self.is_line() {
-            return self.offset(p);
-        }
-        // Outside the box of a monotone arc the circle's other parts would confuse the sign.
+        // Outside the box the rest of the circle would confuse the sign, and a steep line, extended, would seem close.
         let q = DVec2::new(p.x, p.y.clamp(self.low, self.high));
         let inside = self.offset(q);
         match p.y - q.y {

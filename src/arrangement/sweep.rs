@@ -134,14 +134,14 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
             return;
         }
         self.audit.crossings += 1;
-        self.swap(lower, upper, event.at);
+        self.swap(lower, upper, Some(event.at));
         self.restore(vec![self.status.near(lower, DOWN), lower, upper]);
     }
 
     /// Whether a curve is a line through the current point.
     fn passes(&self, curve: u32) -> bool {
         let curve = &self.curves[curve as usize];
-        curve.is_line() && self.module.above(self.now, curve) == 0.0
+        curve.is_line() && curve.side(self.now) == 0.0
     }
 
     fn crossings(&self, f: u32, g: u32) -> Crossings {
@@ -151,15 +151,15 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
     }
 
     /// Whether the curve at a place and the one above it agree with the module just after the current event. If so, their
-    /// next crossing is queued; if not, the answer is where to swap them.
-    fn settled(&mut self, lower: Place) -> Result<(), DVec2> {
+    /// next crossing is queued; if not, the answer is where they cross, if that is now.
+    fn settled(&mut self, lower: Place) -> Result<(), Option<DVec2>> {
         let upper = self.status.near(lower, UP);
         if upper == NOWHERE {
             return Ok(());
         }
         let (f, g) = (self.status.curve(lower), self.status.curve(upper));
         let answer = self.crossings(f, g);
-        let (mut below, mut place) = (answer.below, self.now);
+        let (mut below, mut place) = (answer.below, None);
         for &at in answer.points() {
             let key = self.key_of(at, f, g);
             if compare(key, self.now).is_gt() {
@@ -171,7 +171,7 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
             }
             below = !below;
             // On steep curves the place may be far in y though it is late by no more than a rounding of x.
-            place = if (at.x - self.now.x).abs() <= self.module.tolerance() { at } else { self.now };
+            place = ((at.x - self.now.x).abs() <= self.module.tolerance()).then_some(at);
         }
         if below { Ok(()) } else { Err(place) }
     }
@@ -205,14 +205,14 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
         }
     }
 
-    /// Exchanges two neighbours at a new vertex.
-    fn swap(&mut self, lower: Place, upper: Place, at: DVec2) {
+    /// Exchanges two neighbours at a new vertex: where they cross, or else where both are near the current point.
+    fn swap(&mut self, lower: Place, upper: Place, at: Option<DVec2>) {
         let below = self.status.near(lower, DOWN);
         for place in [below, lower, upper] {
             self.close_gap(place);
         }
         let (f, g) = (self.status.curve(lower), self.status.curve(upper));
-        self.graph.begin_vertex(at);
+        self.graph.begin_vertex(at.unwrap_or_else(|| self.near_both(f, g)));
         self.graph.close(self.edge_of[g as usize]);
         self.graph.close(self.edge_of[f as usize]);
         self.status.exchange(lower, upper);
@@ -222,6 +222,14 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
         self.open_edge(lower);
         self.open_edge(upper);
         self.since_now(below);
+    }
+
+    /// The current point moved into the boxes of two curves. Among curves that rise by much within a few units in the last
+    /// place of x, neighbours in the status may be far from an event in y.
+    fn near_both(&self, f: u32, g: u32) -> DVec2 {
+        let (f, g) = (self.curves[f as usize].y_range(), self.curves[g as usize].y_range());
+        let (low, high) = (f.0.max(g.0), f.1.min(g.1));
+        DVec2::new(self.now.x, if low <= high { self.now.y.clamp(low, high) } else { self.now.y })
     }
 
     // ---- vertices ----
@@ -265,7 +273,7 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
         let tolerance = self.module.tolerance();
         self.status.search(|curve| {
             let distance = self.module.above(self.now, &self.curves[curve as usize]);
-            if distance == 0.0 && self.curves[curve as usize].is_line() {
+            if distance == 0.0 && self.passes(curve) {
                 return Ordering::Equal;
             }
             if distance.abs() <= tolerance {
@@ -352,7 +360,7 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
 
     fn gather_swap(&mut self, lower: Place, upper: Place) {
         self.audit.gather += 1;
-        self.swap(lower, upper, self.now);
+        self.swap(lower, upper, None);
     }
 
     /// Adds the lines next to the block that pass through the point to those that end. Moves `around` out of the block.
@@ -436,10 +444,7 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
             return f.delta == g.delta;
         }
         let (short, long) = if compare(f.right, g.right).is_lt() { (f, g) } else { (g, f) };
-        short.is_line()
-            && long.is_line()
-            && short.is_vertical() == long.is_vertical()
-            && self.module.above(short.right, long) == 0.0
+        short.is_line() && long.is_line() && short.is_vertical() == long.is_vertical() && long.side(short.right) == 0.0
     }
 
     fn merge_pair(&mut self, f: u32, g: u32) -> u32 {
