@@ -419,22 +419,16 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
         (self.curves.len() - 1) as u32
     }
 
-    /// Merges neighbours among the starting curves that coincide: the longer is cut where the shorter ends. What cancels
-    /// disappears.
+    /// Merges neighbours among the starting curves that coincide into one of net weight. What cancels disappears.
     fn merge(&mut self, starting: &mut Vec<u32>) {
         let mut kept: Vec<u32> = Vec::with_capacity(starting.len());
-        for &curve in starting.iter() {
-            match kept.last() {
-                Some(&below) if self.coincide(below, curve) => {
-                    let merged = self.merge_pair(below, curve);
-                    kept.pop();
-                    kept.push(merged);
-                    self.audit.merged += 1;
-                }
-                _ => kept.push(curve),
-            }
+        let mut rest = starting.as_slice();
+        while let Some(&first) = rest.first() {
+            let bundled = 1 + rest.windows(2).take_while(|pair| self.coincide(pair[0], pair[1])).count();
+            let (bundle, others) = rest.split_at(bundled);
+            rest = others;
+            kept.extend(if bundled == 1 { Some(first) } else { self.merge_bundle(bundle) });
         }
-        kept.retain(|c| self.curves[*c as usize].weight != [0; 2]);
         *starting = kept;
     }
 
@@ -447,21 +441,32 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
         short.is_line() && long.is_line() && short.is_vertical() == long.is_vertical() && long.side(short.right) == 0.0
     }
 
-    fn merge_pair(&mut self, f: u32, g: u32) -> u32 {
-        let order = compare(self.curves[f as usize].right, self.curves[g as usize].right);
-        let (short, long) = if order.is_le() { (f, g) } else { (g, f) };
-        let (end, last, other) = {
-            let s = &self.curves[short as usize];
-            (s.right, s.last, self.curves[long as usize])
-        };
-        let sum = add(self.curves[short as usize].weight, other.weight);
-        self.curves[short as usize].weight = sum;
-        if order.is_ne() {
-            let rest = other.from_vertex(last, end);
-            let index = self.add_curve(rest);
-            self.vertices.register(index, &rest);
+    /// Makes a chain of curves that coincide from the current vertex on: one piece from each of their ends to the next, with
+    /// the weight of all that reach that far. Returns the first piece; the others start later. So a vertex never has to
+    /// merge more than one curve for all that have been merged before.
+    fn merge_bundle(&mut self, bundle: &[u32]) -> Option<u32> {
+        let mut chain = bundle.to_vec();
+        chain.sort_unstable_by(|f, g| compare(self.curves[*f as usize].right, self.curves[*g as usize].right));
+        let mut weight = chain.iter().fold([0; 2], |sum, c| add(sum, self.curves[*c as usize].weight));
+        let (mut vertex, mut start) = (self.curves[bundle[0] as usize].first, self.now);
+        let mut first = None;
+        for curve in chain {
+            let Curve { last, right, weight: own, .. } = self.curves[curve as usize];
+            self.audit.merged += 1;
+            if last != vertex && weight != [0; 2] {
+                let mut piece = self.curves[curve as usize].from_vertex(vertex, start);
+                piece.weight = weight;
+                self.curves[curve as usize] = piece;
+                if start == self.now {
+                    first = Some(curve);
+                } else {
+                    self.vertices.register_start(curve, &piece);
+                }
+            }
+            weight = [weight[0] - own[0], weight[1] - own[1]];
+            (vertex, start) = (last, right);
         }
-        short
+        first
     }
 
     /// Takes the block's curves out and puts the starting ones in, at a new vertex.

@@ -75,8 +75,13 @@ impl Vertices {
 
     /// Notes where a curve starts and ends.
     pub fn register(&mut self, index: u32, curve: &Curve) {
+        self.register_start(index, curve);
+        self.register_end(index, curve);
+    }
+
+    /// Notes where a curve starts.
+    pub fn register_start(&mut self, index: u32, curve: &Curve) {
         self.lists[0].push(curve.first, index);
-        self.lists[1].push(curve.last, index);
     }
 
     /// Notes where a curve ends.
