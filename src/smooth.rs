@@ -136,10 +136,16 @@ pub enum SmoothError {
     /// The region has more segments than indices can tell apart.
     #[error("the region has too many segments")]
     TooLarge,
+    /// The region, arcs included, is so large that sums of coordinates would overflow.
+    #[error("the region is larger than 2^{MAX_EXPONENT}")]
+    TooFar,
 }
 
 /// The most input edges a region may have: each yields at most five pieces.
 const MAX_EDGES: usize = (u32::MAX / 8) as usize;
+
+/// The largest exponent of a frame: coordinates of sums stay finite.
+const MAX_EXPONENT: i32 = 1000;
 
 impl Smooth {
     /// The region in units of the frame. A loop that turns counter-clockwise is an outer one, else a hole.
@@ -150,6 +156,9 @@ impl Smooth {
     pub fn new(region: &Region, frame: &Frame) -> Result<Self, SmoothError> {
         if region.segments() > MAX_EDGES {
             return Err(SmoothError::TooLarge);
+        }
+        if frame.exp > MAX_EXPONENT {
+            return Err(SmoothError::TooFar);
         }
         let point = |n: &Node| frame.to_unit(DVec2::new(n.x, n.y));
         let points = region.loops.iter().flatten().map(point).collect();

@@ -2,21 +2,12 @@
 
 use arcsum::arrangement::cross::FloatModule;
 use arcsum::arrangement::{Arrangement, arrange, arrange_with};
+use arcsum_fuzz::liar::Liar;
+use arcsum_fuzz::{assert_consistent, tangle as of_loops};
 use arcsum_tests::cases;
-use arcsum_tests::liar::Liar;
 use arcsum_tests::tangle;
 use glam::DVec2;
 use proptest::prelude::*;
-
-fn assert_consistent(map: &Arrangement) -> Result<(), TestCaseError> {
-    let euler = map.graph.euler();
-    prop_assert!(euler.holds(), "{euler:?}");
-    prop_assert_eq!(map.graph.winding_conflicts, 0);
-    for w in map.graph.edges.iter() {
-        prop_assert!(w.to != u32::MAX);
-    }
-    Ok(())
-}
 
 /// A point well inside each trapezoid has the winding number of its face.
 fn assert_windings(map: &Arrangement, loops: &[Vec<DVec2>], least: f64) -> Result<(), TestCaseError> {
@@ -38,15 +29,15 @@ proptest! {
 
     #[test]
     fn grids_give_the_exact_map(loops in (1..6).prop_flat_map(tangle::on_grid)) {
-        let map = arrange(&tangle::of_loops(&loops));
-        assert_consistent(&map)?;
+        let map = arrange(&of_loops(&loops));
+        assert_consistent(&map);
         assert_windings(&map, &loops, 1e-9)?;
     }
 
     #[test]
     fn random_loops_give_the_right_windings(loops in tangle::in_box()) {
-        let map = arrange(&tangle::of_loops(&loops));
-        assert_consistent(&map)?;
+        let map = arrange(&of_loops(&loops));
+        assert_consistent(&map);
         assert_windings(&map, &loops, 1e-9)?;
         prop_assert_eq!(map.audit.late, 0);
         prop_assert_eq!(map.audit.gather, 0);
@@ -59,7 +50,7 @@ proptest! {
         exponent in 3..12_i32,
     ) {
         let module = Liar { honest: FloatModule::new(1.0), size: 10.0_f64.powi(-exponent), seed };
-        let map = arrange_with(&tangle::of_loops(&loops), &module);
-        assert_consistent(&map)?;
+        let map = arrange_with(&of_loops(&loops), &module);
+        assert_consistent(&map);
     }
 }

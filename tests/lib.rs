@@ -2,7 +2,6 @@
 
 mod draw;
 pub mod fiber;
-pub mod liar;
 pub mod precise;
 pub mod random;
 pub mod shapes;

@@ -88,21 +88,26 @@ fn nudged(x: f64, by: i8) -> f64 {
     x + f64::from(by) * (size.next_up() - size)
 }
 
+/// A bar: its lowest and highest ordinate, nudges of its coordinates, slants of its ends.
+type Bar = (f64, f64, [i8; 8], [f64; 4]);
+
+fn bar(index: usize, (low, high, ulps, slants): &Bar, upright: bool) -> Vec<Node> {
+    let (left, right) = (f64::from(2 * index as u32) / 17.0, f64::from(2 * index as u32 + 1) / 17.0);
+    let corners = [(left, -low), (right, -low), (right, *high), (left, *high)];
+    let node = |k: usize| {
+        let (x, y) = (nudged(corners[k].0, ulps[2 * k]), nudged(corners[k].1 + slants[k], ulps[2 * k + 1]));
+        if upright { Node::line(x, y) } else { Node::line(-y, x) }
+    };
+    (0..4).map(node).collect()
+}
+
 /// Parallel bars, upright or lying, whose coordinates are a few units in the last place off: nearly vertical and nearly
 /// horizontal lines everywhere.
 pub fn bars() -> impl Strategy<Value = Region> {
-    let bar = (0.1..2.0, 0.1..2.0, prop::array::uniform8(-3..=3_i8), prop::array::uniform4(-0.3..0.3));
-    (prop::collection::vec(bar, 1..5), any::<bool>()).prop_filter_map("not valid", |(bars, upright)| {
-        let one = |(i, (low, high, ulps, slants)): (usize, &(f64, f64, [i8; 8], [f64; 4]))| {
-            let (left, right) = (f64::from(2 * i as u32) / 17.0, f64::from(2 * i as u32 + 1) / 17.0);
-            let corners = [(left, -low), (right, -low), (right, *high), (left, *high)];
-            let node = |k: usize| {
-                let (x, y) = (nudged(corners[k].0, ulps[2 * k]), nudged(corners[k].1 + slants[k], ulps[2 * k + 1]));
-                if upright { Node::line(x, y) } else { Node::line(-y, x) }
-            };
-            (0..4).map(node).collect()
-        };
-        let region = Region { loops: bars.iter().enumerate().map(one).collect(), ..Region::default() };
+    let one = (0.1..2.0, 0.1..2.0, prop::array::uniform8(-3..=3_i8), prop::array::uniform4(-0.3..0.3));
+    (prop::collection::vec(one, 1..5), any::<bool>()).prop_filter_map("not valid", |(bars, upright)| {
+        let loops = bars.iter().enumerate().map(|(i, b)| bar(i, b, upright)).collect();
+        let region = Region { loops, ..Region::default() };
         validate(&region).is_ok().then_some(region)
     })
 }

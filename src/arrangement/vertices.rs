@@ -43,12 +43,16 @@ impl Lists {
     }
 }
 
+/// Coordinates so small that their squares would underflow become 0; -0, which the total order would tell apart, becomes 0.
+fn flushed(x: f64) -> f64 {
+    if x.abs() < 1e-150 { 0.0 } else { x }
+}
+
 impl Vertices {
     /// Sorts and merges the points of a set of pieces and makes their curves.
     #[must_use]
     pub fn new(pieces: &Pieces) -> (Self, Vec<Curve>) {
-        // Adding zero turns -0 into 0, which the total order would tell apart.
-        let clean: Vec<DVec2> = pieces.points.iter().map(|p| *p + DVec2::ZERO).collect();
+        let clean: Vec<DVec2> = pieces.points.iter().map(|p| DVec2::new(flushed(p.x), flushed(p.y))).collect();
         let mut order: Vec<u32> = (0..clean.len() as u32).collect();
         order.sort_unstable_by(|i, j| compare(clean[*i as usize], clean[*j as usize]));
         let mut points: Vec<DVec2> = Vec::with_capacity(clean.len());
