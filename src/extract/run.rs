@@ -83,6 +83,8 @@ fn with_sweep(curve: &Curve, s: Stretch) -> Stretch {
     if s.delta == 0.0 || whole {
         return s;
     }
-    let chord = (s.to - s.from).length() / curve.chord().length();
+    // Squares of the smallest chords would underflow.
+    let length = |v: DVec2| libm::hypot(v.x, v.y);
+    let chord = length(s.to - s.from) / length(curve.chord());
     Stretch { delta: libm::asin((libm::sin(s.delta) * chord).clamp(-1.0, 1.0)), ..s }
 }
