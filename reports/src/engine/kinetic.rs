@@ -46,6 +46,7 @@ fn counters(sum: &Sum) -> Counters {
         late: count(audit.late),
         gather: count(audit.gather),
         cells: count(sum.arrangement.graph.windings.len()),
+        bubbles: count(sum.bubbles()),
         ..Counters::default()
     }
 }

@@ -73,6 +73,7 @@ pub struct Counters {
     pub gather: Option<u64>,
     pub cancelled: Option<u64>,
     pub cells: Option<u64>,
+    pub bubbles: Option<u64>,
 }
 
 /// Time of each stage, where the engine tells.

@@ -64,12 +64,24 @@ fn agreed_loops(sum: &Enclosure<Rational>) -> Option<u64> {
     (inner == outer).then_some(inner as u64)
 }
 
-/// Areas that cannot be equal, loops other than agreed on, and errors that leave fewer bits than wanted.
+/// Whether a boundary as long as this is plausible between the polygons inside and around the sum. Length is not monotone:
+/// a tenth is left for what flattening arcs adds.
+fn plausible_length(length: f64, sum: &Enclosure<Rational>) -> bool {
+    let (inner, outer) = (sum.inner.perimeter(), sum.outer.perimeter());
+    length >= 0.9 * inner.lo().min(outer.lo()) && length <= 1.1 * inner.hi().max(outer.hi())
+}
+
+/// Areas that cannot be equal, implausible perimeters, loops other than agreed on, and errors that leave fewer bits than wanted.
 fn failed(answer: &Answer, mu: f64, result: &Enclosure<Rational>, sum: &Enclosure<Rational>) -> Vec<String> {
     let apart = |p: Interval, q: Interval| p.hi() < q.lo() || q.hi() < p.lo();
     let loops = agreed_loops(sum).is_some_and(|n| n != answer.region.loops.len() as u64);
     let short = -mu.log2() < WANTED_BITS;
-    let checks = [("bits", short), ("area", apart(result.area(), sum.area())), ("loops", loops)];
+    let checks = [
+        ("bits", short),
+        ("area", apart(result.area(), sum.area())),
+        ("perimeter", !plausible_length(answer.region.perimeter(), sum)),
+        ("loops", loops),
+    ];
     checks.into_iter().filter(|(_, failed)| *failed).map(|(name, _)| name.to_owned()).collect()
 }
 
@@ -89,7 +101,7 @@ mod tests {
         assert!(right.failed_checks.is_empty() && right.mu_lo.is_some_and(|mu| mu < 1e-15), "{right:?}");
         // The unit box has side 2: off by 1/4 of an input unit is 1/8.
         let small = judged(disc(1.25));
-        assert_eq!(small.failed_checks, ["bits", "area"]);
+        assert_eq!(small.failed_checks, ["bits", "area", "perimeter"]);
         assert!(small.mu_lo.is_some_and(|mu| mu > 0.12 && mu <= 0.125), "{small:?}");
         assert_eq!(small.direction.as_deref(), Some("sum"));
     }
@@ -98,7 +110,7 @@ mod tests {
     fn a_square_of_the_right_area_is_told_by_its_distance() {
         let side = 1.5 * std::f64::consts::PI.sqrt();
         let square = judged(polygon(&rectangle([-0.5 * side, -0.5 * side], [0.5 * side, 0.5 * side])));
-        assert_eq!(square.failed_checks, ["bits"]);
+        assert_eq!(square.failed_checks, ["bits", "perimeter"]);
         assert_eq!(square.direction.as_deref(), Some("result"));
     }
 

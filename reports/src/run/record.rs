@@ -51,6 +51,7 @@ fn enter_answer(row: &mut Row, answer: &Answer) {
     row.gather = c.gather;
     row.cancelled = c.cancelled;
     row.cells = c.cells;
+    row.bubbles = c.bubbles;
     row.result_segments = Some(answer.region.segments() as u64);
     row.result_loops = Some(answer.region.loops.len() as u64);
     row.failed_checks = answer.failed_checks.as_deref().map(words);
