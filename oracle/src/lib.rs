@@ -5,6 +5,7 @@
 pub mod arc;
 pub mod arrange;
 pub mod boxes;
+pub mod certified;
 pub mod convex;
 pub mod convolve;
 pub mod decompose;
