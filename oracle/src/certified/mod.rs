@@ -9,4 +9,5 @@ pub mod piece;
 pub mod precision;
 pub mod real;
 pub mod shape;
+pub mod spot;
 pub mod vector;
