@@ -4,10 +4,20 @@
 //! tell; a question is answered yes, no or undecided at a precision, never guessed. Radius and bulge are taken literally:
 //! the circle through both ends with exactly that radius, the arc with exactly that bulge.
 
+pub mod carriers;
+pub mod cell;
 pub mod curve;
+pub mod hausdorff;
+pub mod meet;
+pub mod nearest;
 pub mod piece;
 pub mod precision;
+pub mod reach;
 pub mod real;
 pub mod shape;
+pub mod slabs;
 pub mod spot;
+pub mod stretch;
+pub mod strips;
+pub mod uprights;
 pub mod vector;

@@ -142,6 +142,19 @@ impl Piece {
         }
     }
 
+    /// The abscissa at an ordinate strictly between those of the ends.
+    #[must_use]
+    pub fn abscissa(&self, y: &Real) -> Real {
+        self.transposed().ordinate(y)
+    }
+
+    /// Reflected in the diagonal: both coordinates exchanged.
+    fn transposed(&self) -> Self {
+        let swap = |v: &Vector| Vector { x: v.y.clone(), y: v.x.clone() };
+        let circle = self.circle.as_ref().map(|c| Circle { centre: swap(&c.centre), left: !c.left, ..c.clone() });
+        Self { from: swap(&self.from), to: swap(&self.to), circle }
+    }
+
     /// Whether an arc lies in the upper half of its circle, as far as its precision tells.
     fn is_upper(&self) -> bool {
         self.circle.as_ref().is_some_and(|circle| {

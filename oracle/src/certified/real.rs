@@ -50,6 +50,17 @@ impl Real {
         }
     }
 
+    /// Both bounds as floats of at least this precision.
+    #[must_use]
+    pub fn floats(&self, precision: Precision) -> [Float; 2] {
+        match self {
+            Self::Double(interval) => [interval.lo(), interval.hi()].map(|end| Float::with_val(precision.bits(), end)),
+            Self::Long(bounds) => {
+                bounds.as_ref().each_ref().map(|end| Float::with_val(precision.bits().max(end.prec()), end))
+            }
+        }
+    }
+
     /// A double near the middle.
     #[must_use]
     pub fn mid(&self) -> f64 {
@@ -109,6 +120,22 @@ impl Real {
             Self::Long(bounds) => {
                 bounds.iter().all(|end| end.is_zero() || end.get_exp().is_some_and(|e| e <= exponent))
             }
+        }
+    }
+
+    /// Bounds of this precision, rounded outward, if it is known more finely than that.
+    #[must_use]
+    pub fn rounded(&self, precision: Precision) -> Self {
+        match self {
+            Self::Long(bounds) if precision == Precision::DOUBLE || bounds[0].prec() > precision.bits() => {
+                if precision == Precision::DOUBLE {
+                    return Self::Double(self.enclosure());
+                }
+                let [lo, hi] = bounds.as_ref();
+                let round = |x, way| Float::with_val_round(precision.bits(), x, way).0;
+                Self::Long(Box::new([round(lo, Round::Down), round(hi, Round::Up)]))
+            }
+            _ => self.clone(),
         }
     }
 
@@ -213,6 +240,12 @@ impl Real {
 impl From<f64> for Real {
     fn from(x: f64) -> Self {
         Self::Double(Interval::point(x))
+    }
+}
+
+impl From<Float> for Real {
+    fn from(x: Float) -> Self {
+        Self::Long(Box::new([x.clone(), x]))
     }
 }
 

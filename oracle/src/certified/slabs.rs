@@ -1,0 +1,229 @@
+//! What one region has and another has not, in trapezoids between two curves of their boundaries.
+//!
+//! A brute-force vertical decomposition: in the slab between two strips ([`super::strips`]) the curves are in a fixed
+//! vertical order, which changes from slab to slab only for the curves involved in the strip between them. Winding
+//! numbers counted upward tell which gaps belong to a region. Curves that coincide leave gaps of no height, which are
+//! skipped. What lies in the strips is not looked at: it is within [`Differences::blur`] of what lies beside them.
+
+use std::cmp::Ordering;
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use rug::Float;
+
+use super::curve::Curve;
+use super::meet::LIMIT;
+use super::precision::Precision;
+use super::real::Real;
+use super::strips::Strips;
+use super::uprights;
+use crate::error::OracleError;
+
+/// A part of the plane between two abscissas and two curves that do not cross there.
+#[derive(Clone, Debug)]
+pub struct Trapezoid {
+    /// Left and right end.
+    pub x: [Float; 2],
+    /// The lower and the upper curve.
+    pub walls: [Arc<Curve>; 2],
+}
+
+/// One of two regions to compare.
+#[derive(Clone, Copy)]
+pub struct Layer<'a> {
+    /// Its boundary: closed loops with the interior, the points of winding number other than 0, on the left.
+    pub curves: &'a [Arc<Curve>],
+    /// The winding number far away.
+    pub base: i32,
+}
+
+/// The differences of two regions.
+pub struct Differences {
+    /// Trapezoids that make up the first region without the second, and the second without the first.
+    pub parts: [Vec<Trapezoid>; 2],
+    /// The curves of each region's boundary, without stretches that have no part of the region on either side.
+    pub edges: [Vec<Arc<Curve>>; 2],
+    /// How far a point of one region in a strip may be from one beside it.
+    pub blur: f64,
+}
+
+/// The differences of two regions, `None` if it is undecided how two of their curves meet.
+///
+/// # Errors
+/// [`OracleError::BadNumber`] for coordinates too large for doubles, [`OracleError::Inconsistent`] for loops that do not
+/// close.
+pub fn differences(layers: [Layer<'_>; 2]) -> Result<Option<Differences>, OracleError> {
+    let curves: Vec<Arc<Curve>> = layers.iter().flat_map(|layer| layer.curves.iter().cloned()).collect();
+    let Some(strips) = Strips::new(&curves)? else { return Ok(None) };
+    let mut sweep = Sweep::new(&strips, &curves, layers);
+    for strip in 0..strips.ends.len() {
+        sweep.pass(strip)?;
+    }
+    Ok(Some(sweep.finish()))
+}
+
+/// The state of the decomposition while it goes from slab to slab.
+struct Sweep<'a> {
+    strips: &'a Strips,
+    curves: &'a [Arc<Curve>],
+    bases: [i32; 2],
+    /// Whether each curve runs to the right.
+    rightward: Vec<bool>,
+    /// Index of the first curve of the second region.
+    second: usize,
+    /// The curves over the current slab from bottom to top.
+    order: Vec<usize>,
+    /// Trapezoids not yet closed: their side, lower and upper curve, and the strip they start at.
+    open: HashMap<(usize, usize, usize), usize>,
+    parts: [Vec<Trapezoid>; 2],
+    /// For each curve, the runs of slabs, as first and last strip, where it bounds a part of its region.
+    kept: Vec<Vec<[usize; 2]>>,
+    uprights: Vec<(usize, Arc<Curve>)>,
+    blur: f64,
+}
+
+impl<'a> Sweep<'a> {
+    fn new(strips: &'a Strips, curves: &'a [Arc<Curve>], layers: [Layer<'_>; 2]) -> Self {
+        Self {
+            strips,
+            curves,
+            rightward: curves.iter().map(|curve| uprights::runs_right(curve)).collect(),
+            bases: layers.map(|layer| layer.base),
+            second: layers[0].curves.len(),
+            order: Vec::new(),
+            open: HashMap::new(),
+            parts: [Vec::new(), Vec::new()],
+            kept: vec![Vec::new(); curves.len()],
+            uprights: Vec::new(),
+            blur: 0.0,
+        }
+    }
+
+    fn layer(&self, curve: usize) -> usize {
+        usize::from(curve >= self.second)
+    }
+
+    /// Goes from the slab before a strip to the slab after it.
+    fn pass(&mut self, strip: usize) -> Result<(), OracleError> {
+        let before = self.order.clone();
+        let involved = &self.strips.involved[strip];
+        self.order.retain(|curve| involved.binary_search(curve).is_err());
+        if strip + 1 < self.strips.ends.len() {
+            let x = self.strips.middle(strip);
+            for &curve in involved {
+                if self.strips.reaches_on(curve, strip) {
+                    let place = self.order.partition_point(|&other| self.compare(other, curve, &x).is_lt());
+                    self.order.insert(place, curve);
+                }
+            }
+        }
+        self.pass_uprights(strip, &before);
+        self.blur = self.blur.max(uprights::blur(self.strips, self.curves, strip, &before, &self.order));
+        self.regroup(strip)
+    }
+
+    /// Whether a curve is below another over an abscissa; equal if they coincide.
+    fn compare(&self, below: usize, above: usize, x: &Real) -> Ordering {
+        let decided = [Precision::DOUBLE, LIMIT].into_iter().find_map(|precision| {
+            let x = x.rounded(precision);
+            let [low, high] = [below, above].map(|curve| self.curves[curve].at(precision).ordinate(&x));
+            (low - high).sign()
+        });
+        decided.unwrap_or(Ordering::Equal)
+    }
+
+    /// The winding numbers of both regions in the gaps from bottom to top, one more than there are curves.
+    fn windings(&self, order: &[usize]) -> Vec<[i32; 2]> {
+        let mut winding = self.bases;
+        let step = |&curve: &usize| {
+            winding[self.layer(curve)] += if self.rightward[curve] { 1 } else { -1 };
+            winding
+        };
+        std::iter::once(self.bases).chain(order.iter().map(step).collect::<Vec<_>>()).collect()
+    }
+
+    /// Finds the gaps of the slab after a strip that belong to one region only, and closes the trapezoids that end.
+    fn regroup(&mut self, strip: usize) -> Result<(), OracleError> {
+        let windings = self.windings(&self.order);
+        if windings.last() != Some(&self.bases) {
+            return Err(OracleError::Inconsistent("the loops of a boundary do not close"));
+        }
+        let mut next = HashMap::new();
+        for (i, &curve) in self.order.iter().enumerate() {
+            let layer = self.layer(curve);
+            if windings[i][layer] != 0 || windings[i + 1][layer] != 0 {
+                keep(&mut self.kept[curve], strip);
+            }
+            let inside = windings[i + 1].map(|winding| winding != 0);
+            if i + 1 < self.order.len() && inside[0] != inside[1] {
+                let key = (usize::from(inside[1]), curve, self.order[i + 1]);
+                match self.open.remove(&key) {
+                    Some(start) => _ = next.insert(key, start),
+                    None if self.has_height(key.1, key.2, strip) => _ = next.insert(key, strip),
+                    None => {}
+                }
+            }
+        }
+        let mut ended: Vec<_> = std::mem::replace(&mut self.open, next).into_iter().collect();
+        ended.sort_unstable();
+        for ((side, lower, upper), start) in ended {
+            let x = [self.strips.ends[start][1].clone(), self.strips.ends[strip][0].clone()];
+            let walls = [lower, upper].map(|curve| self.curves[curve].clone());
+            self.parts[side].push(Trapezoid { x, walls });
+        }
+        Ok(())
+    }
+
+    /// Whether the gap between two curves over the slab after a strip is more than a coincidence.
+    fn has_height(&self, lower: usize, upper: usize, strip: usize) -> bool {
+        self.compare(lower, upper, &self.strips.middle(strip)).is_ne()
+    }
+
+    /// Keeps the stretches of the upright curves in a strip that have a part of their region on a side.
+    fn pass_uprights(&mut self, strip: usize, before: &[usize]) {
+        for &curve in &self.strips.involved[strip] {
+            if self.strips.spans[curve] != [strip; 2] {
+                continue;
+            }
+            let layer = self.layer(curve);
+            let sides = [(before, 0), (&self.order[..], 1)].map(|(order, side)| uprights::Beside {
+                ordinates: order
+                    .iter()
+                    .map(|&other| {
+                        self.curves[other].at(LIMIT).ordinate(&Real::from(self.strips.ends[strip][side].clone()))
+                    })
+                    .collect(),
+                inside: self.windings(order).iter().map(|winding| winding[layer] != 0).collect(),
+            });
+            let stretches = uprights::kept(&self.curves[curve], &sides);
+            self.uprights.extend(stretches.into_iter().map(|stretch| (layer, stretch)));
+        }
+    }
+
+    fn finish(self) -> Differences {
+        let mut edges = [Vec::new(), Vec::new()];
+        for (i, runs) in self.kept.iter().enumerate() {
+            let layer = usize::from(i >= self.second);
+            let whole = self.strips.spans[i];
+            for &run in runs {
+                let curve = if run == whole {
+                    self.curves[i].clone()
+                } else {
+                    let x = [self.strips.ends[run[0]][1].clone(), self.strips.ends[run[1]][0].clone()];
+                    Arc::new(uprights::clipped(&self.curves[i], x))
+                };
+                edges[layer].push(curve);
+            }
+        }
+        self.uprights.into_iter().for_each(|(layer, curve)| edges[layer].push(curve));
+        Differences { parts: self.parts, edges, blur: self.blur }
+    }
+}
+
+/// Adds the slab after a strip to the runs of slabs.
+fn keep(runs: &mut Vec<[usize; 2]>, strip: usize) {
+    match runs.last_mut() {
+        Some(run) if run[1] == strip => run[1] = strip + 1,
+        _ => runs.push([strip, strip + 1]),
+    }
+}
