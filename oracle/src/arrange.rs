@@ -195,9 +195,16 @@ impl<Q: Number, const L: usize, const R: usize> Walker<'_, Q, L, R> {
         let mut k = 0;
         while k < events.len() {
             let here = &events[k];
+            let first = k;
             while k < events.len() && self.compare(s, here, &events[k]) == Ordering::Equal {
                 state.apply(events[k].change);
                 k += 1;
+            }
+            if k > first + 1 {
+                // Other pieces of boundary may pass straight through here as well, even if nothing changes in the end.
+                for (run, edges) in runs.iter_mut().zip(edges.iter_mut()) {
+                    edges.extend(run.take().map(|run| run.finish(self.locate(s, here))));
+                }
             }
             self.switch(&state, &mut runs, edges, || self.locate(s, here));
         }

@@ -14,11 +14,9 @@ use super::slabs::Trapezoid;
 use super::uprights::runs_right;
 use super::vector::Vector;
 
-/// How far a point may be outside the span of a piece and still count as in it: nothing against 2^-58.
-const SLIP: i32 = -150;
-
-/// The allowance for it in a length, for pieces longer than 2^-60.
-const ALLOWANCE: f64 = 1.0 / (1u128 << 90) as f64;
+/// How far a point may be outside the span of a piece and still count as in it, with an allowance in the length. A rounding
+/// of a common end must not matter, and this is nothing against 2^-58.
+const SLIP: f64 = 1.0 / (1u128 << 100) as f64;
 
 /// A part of a trapezoid.
 #[derive(Clone, Debug)]
@@ -196,7 +194,7 @@ impl Outline {
         };
         rays.iter().all(|(origin, outward)| {
             let beyond = self.support(origin, outward);
-            beyond.hi() <= f64::from(SLIP).exp2()
+            beyond.hi() <= SLIP * outward.length().lo()
         })
     }
 
@@ -218,7 +216,7 @@ impl Outline {
                 out.max(&(&circle.radius - self.nearest(&circle.centre)))
             }
         };
-        ends.min(offset.max(&Real::from(0.0)).hi() + ALLOWANCE)
+        ends.min(offset.max(&Real::from(0.0)).hi() + SLIP)
     }
 
     /// An upper bound of half the height between the walls: how far any point of the cell is from the nearer one.

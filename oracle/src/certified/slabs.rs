@@ -7,6 +7,7 @@
 
 use std::cmp::Ordering;
 use std::collections::HashMap;
+use std::ops::Range;
 use std::sync::Arc;
 
 use rug::Float;
@@ -73,6 +74,8 @@ struct Sweep<'a> {
     second: usize,
     /// The curves over the current slab from bottom to top.
     order: Vec<usize>,
+    /// Whether pairs of curves that have met in the order coincide.
+    coincide: HashMap<(usize, usize), bool>,
     /// Trapezoids not yet closed: their side, lower and upper curve, and the strip they start at.
     open: HashMap<(usize, usize, usize), usize>,
     parts: [Vec<Trapezoid>; 2],
@@ -91,6 +94,7 @@ impl<'a> Sweep<'a> {
             bases: layers.map(|layer| layer.base),
             second: layers[0].curves.len(),
             order: Vec::new(),
+            coincide: HashMap::new(),
             open: HashMap::new(),
             parts: [Vec::new(), Vec::new()],
             kept: vec![Vec::new(); curves.len()],
@@ -149,19 +153,21 @@ impl<'a> Sweep<'a> {
             return Err(OracleError::Inconsistent("the loops of a boundary do not close"));
         }
         let mut next = HashMap::new();
-        for (i, &curve) in self.order.iter().enumerate() {
-            let layer = self.layer(curve);
-            if windings[i][layer] != 0 || windings[i + 1][layer] != 0 {
-                keep(&mut self.kept[curve], strip);
+        let mut first = 0;
+        for last in 0..self.order.len() {
+            let upper = self.order.get(last + 1).copied();
+            if upper.is_some_and(|upper| self.are_one(self.order[last], upper, strip)) {
+                continue;
             }
-            let inside = windings[i + 1].map(|winding| winding != 0);
-            if i + 1 < self.order.len() && inside[0] != inside[1] {
-                let key = (usize::from(inside[1]), curve, self.order[i + 1]);
-                match self.open.remove(&key) {
-                    Some(start) => _ = next.insert(key, start),
-                    None if self.has_height(key.1, key.2, strip) => _ = next.insert(key, strip),
-                    None => {}
-                }
+            self.keep(first..last + 1, [windings[first], windings[last + 1]], strip);
+            first = last + 1;
+            let inside = windings[first].map(|winding| winding != 0);
+            if let Some(upper) = upper
+                && inside[0] != inside[1]
+            {
+                let key = (usize::from(inside[1]), self.order[last], upper);
+                let start = self.open.remove(&key).unwrap_or(strip);
+                next.insert(key, start);
             }
         }
         let mut ended: Vec<_> = std::mem::replace(&mut self.open, next).into_iter().collect();
@@ -174,9 +180,29 @@ impl<'a> Sweep<'a> {
         Ok(())
     }
 
-    /// Whether the gap between two curves over the slab after a strip is more than a coincidence.
-    fn has_height(&self, lower: usize, upper: usize, strip: usize) -> bool {
-        self.compare(lower, upper, &self.strips.middle(strip)).is_ne()
+    /// Whether two neighbours of the slab after a strip coincide.
+    fn are_one(&mut self, lower: usize, upper: usize, strip: usize) -> bool {
+        if let Some(&known) = self.coincide.get(&(lower, upper)) {
+            return known;
+        }
+        let coincide = self.compare(lower, upper, &self.strips.middle(strip)).is_eq();
+        self.coincide.insert((lower, upper), coincide);
+        coincide
+    }
+
+    /// Adds the slab after a strip to the runs of coinciding curves, if there is a part of their region below or above.
+    fn keep(&mut self, places: Range<usize>, around: [[i32; 2]; 2], strip: usize) {
+        for place in places {
+            let curve = self.order[place];
+            let layer = self.layer(curve);
+            if around.iter().all(|winding| winding[layer] == 0) {
+                continue;
+            }
+            match self.kept[curve].last_mut() {
+                Some(run) if run[1] == strip => run[1] = strip + 1,
+                _ => self.kept[curve].push([strip, strip + 1]),
+            }
+        }
     }
 
     /// Keeps the stretches of the upright curves in a strip that have a part of their region on a side.
@@ -217,13 +243,5 @@ impl<'a> Sweep<'a> {
         }
         self.uprights.into_iter().for_each(|(layer, curve)| edges[layer].push(curve));
         Differences { parts: self.parts, edges, blur: self.blur }
-    }
-}
-
-/// Adds the slab after a strip to the runs of slabs.
-fn keep(runs: &mut Vec<[usize; 2]>, strip: usize) {
-    match runs.last_mut() {
-        Some(run) if run[1] == strip => run[1] = strip + 1,
-        _ => runs.push([strip, strip + 1]),
     }
 }

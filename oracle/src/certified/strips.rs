@@ -14,8 +14,9 @@ use super::real::Real;
 use crate::boxes::{Boxes, Extent};
 use crate::error::OracleError;
 
-/// Slabs between strips are wider than two to this power; closer strips are joined.
-const SLAB: i32 = -88;
+/// Slabs between strips are wider than two to this power; closer strips are joined. Products of three differences of
+/// doubles near 1 are larger, so strips are joined where something is degenerate only.
+const SLAB: i32 = -190;
 
 /// Neighbouring strips and what happens in them.
 pub struct Strips {
@@ -83,6 +84,13 @@ impl Strips {
     pub fn middle(&self, strip: usize) -> Real {
         let sum = Float::with_val(LIMIT.bits(), &self.ends[strip][1] + &self.ends[strip + 1][0]);
         Real::from(sum / 2u32)
+    }
+
+    /// The width of a strip, rounded up.
+    #[must_use]
+    pub fn width(&self, strip: usize) -> f64 {
+        let [left, right] = self.ends[strip].clone().map(Real::from);
+        (right - left).hi()
     }
 
     /// Whether a curve reaches from this strip to the next.

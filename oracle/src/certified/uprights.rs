@@ -11,9 +11,8 @@ use super::real::Real;
 use super::strips::Strips;
 use super::vector::Vector;
 
-/// Strips narrower than two to this power hide nothing longer than two to the power of -70: between slabs wider than
-/// 2^-88 lines are less steep than 2^90, and arcs deviate by no more than the root of twice the width.
-const NARROW: i32 = -160;
+/// Lengths below this are not worth being known any better.
+const SHORT: f64 = 1.0 / (1u128 << 70) as f64;
 
 /// The slab beside a strip.
 pub struct Beside {
@@ -50,8 +49,14 @@ pub fn kept(curve: &Arc<Curve>, sides: &[Beside; 2]) -> Vec<Arc<Curve>> {
     if good.iter().all(|&g| g) {
         return vec![curve.clone()];
     }
-    let stretch = |i: usize| Arc::new(upright(curve, [cuts[i].clone(), cuts[i + 1].clone()]));
-    (0..good.len()).filter(|&i| good[i] && cuts[i].is_below(&cuts[i + 1])).map(stretch).collect()
+    let runs = good.chunk_by(|a, b| a == b).scan(0, |end, run| {
+        let start = *end;
+        *end += run.len();
+        Some((run[0], start, *end))
+    });
+    runs.filter(|&(good, start, end)| good && cuts[start].is_below(&cuts[end]))
+        .map(|(_, start, end)| Arc::new(upright(curve, [cuts[start].clone(), cuts[end].clone()])))
+        .collect()
 }
 
 /// The stretch of an upright curve between two ordinates, as a line.
@@ -88,44 +93,45 @@ pub fn clipped(curve: &Arc<Curve>, x: [Float; 2]) -> Curve {
     })
 }
 
-/// How far a point of a curve in this strip may be from one beside the strip (0 for narrow strips, see [`NARROW`]), and the
-/// length of upright curves that are so close to another that nothing of the region between them reaches out of the strip.
+/// How far a point in this strip may be from a point of the same region beside it: the longest stretch of a curve in the
+/// strip, and all of an upright curve that is so close to another that nothing of a region between them reaches out.
 pub fn blur(strips: &Strips, curves: &[Arc<Curve>], strip: usize, before: &[usize], after: &[usize]) -> f64 {
-    let [left, right] = strips.ends[strip].clone().map(Real::from);
-    let uprights: Vec<usize> =
-        strips.involved[strip].iter().copied().filter(|&curve| strips.spans[curve] == [strip; 2]).collect();
+    let upright = |&&curve: &&usize| strips.spans[curve] == [strip; 2];
+    let uprights: Vec<usize> = strips.involved[strip].iter().filter(upright).copied().collect();
     let apart = |i: usize, j: usize| {
         let [p, q] = [i, j].map(|k| &curves[k].at(LIMIT).from.x);
-        matches!((p - q).sign(), Some(order) if order.is_ne())
+        (p - q).sign().is_some_and(|order| order.is_ne())
     };
-    let mut blur: f64 = 0.0;
-    for (k, &i) in uprights.iter().enumerate() {
-        if uprights[..k].iter().any(|&j| apart(i, j)) {
-            blur = blur.max(curves[i].rough().chord().length().hi());
-        }
-    }
-    if (&right - &left).is_within(NARROW) {
-        return blur;
-    }
-    let ordinate = |curve: usize, x: &Real, beside: bool, end: bool| {
-        let piece = curves[curve].at(LIMIT);
-        let rightward = runs_right(&curves[curve]);
-        if beside {
-            piece.ordinate(x)
-        } else if rightward == end {
-            piece.to.y.clone()
-        } else {
-            piece.from.y.clone()
-        }
+    let squeezed = |k: usize| uprights[..k].iter().any(|&other| apart(uprights[k], other));
+    let lost = (0..uprights.len()).filter(|&k| squeezed(k)).map(|k| curves[uprights[k]].rough().chord().length().hi());
+    let lost = lost.fold(0.0, f64::max);
+    let width = strips.width(strip);
+    let stretch = |&curve: &usize| {
+        let bound = steepest(&curves[curve], width);
+        if bound < SHORT { bound } else { rise(strips, curves, strip, curve) }
     };
-    let mut ends: Vec<usize> = before.iter().chain(after).copied().collect();
-    ends.sort_unstable();
-    ends.dedup();
-    for curve in ends {
-        let (was, is) = (before.contains(&curve), after.contains(&curve));
-        let low = ordinate(curve, &left, was, false);
-        let high = ordinate(curve, &right, is, true);
-        blur = blur.max((low - high).abs().hi());
+    before.iter().chain(after).map(stretch).fold(lost, f64::max)
+}
+
+/// A bound of the height of a stretch of a curve of this width.
+fn steepest(curve: &Curve, width: f64) -> f64 {
+    let piece = curve.rough();
+    match &piece.circle {
+        None => {
+            let chord = curve.at(LIMIT).chord();
+            ((chord.y / chord.x).abs() * width).hi()
+        }
+        Some(circle) => (circle.radius.clone() * 2.0 * width).sqrt().hi(),
     }
-    blur
+}
+
+/// The height of the stretch of a curve in a strip.
+fn rise(strips: &Strips, curves: &[Arc<Curve>], strip: usize, curve: usize) -> f64 {
+    let [first, last] = strips.spans[curve];
+    let piece = curves[curve].at(LIMIT);
+    let (left, right) = if runs_right(&curves[curve]) { (&piece.from, &piece.to) } else { (&piece.to, &piece.from) };
+    let [x0, x1] = strips.ends[strip].clone().map(Real::from);
+    let low = if first == strip { left.y.clone() } else { piece.ordinate(&x0) };
+    let high = if last == strip { right.y.clone() } else { piece.ordinate(&x1) };
+    (low - high).abs().hi()
 }
