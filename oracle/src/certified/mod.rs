@@ -11,4 +11,5 @@ pub mod piece;
 pub mod precision;
 pub mod real;
 pub mod shape;
+pub mod spot;
 pub mod vector;
