@@ -83,9 +83,8 @@ fn is_beside(line: &Piece, other: &Piece, precision: Precision) -> bool {
 }
 
 fn same_lines(first: &Piece, second: &Piece) -> bool {
-    let carries = |line: &Piece, other: &Piece| {
-        [&other.from, &other.to].into_iter().all(|end| line.offset(end).is_within(SAME))
-    };
+    let carries =
+        |line: &Piece, other: &Piece| [&other.from, &other.to].into_iter().all(|end| line.offset(end).is_within(SAME));
     carries(first, second) && carries(second, first)
 }
 

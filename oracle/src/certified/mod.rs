@@ -6,10 +6,14 @@
 
 pub mod carriers;
 pub mod curve;
+pub mod direction;
+pub mod fan;
 pub mod meet;
 pub mod piece;
 pub mod precision;
 pub mod real;
 pub mod shape;
 pub mod spot;
+pub mod stretch;
+pub mod sums;
 pub mod vector;
