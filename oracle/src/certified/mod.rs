@@ -17,3 +17,4 @@ pub mod spot;
 pub mod stretch;
 pub mod sums;
 pub mod vector;
+pub mod walk;
