@@ -4,7 +4,9 @@
 //! tell; a question is answered yes, no or undecided at a precision, never guessed. Radius and bulge are taken literally:
 //! the circle through both ends with exactly that radius, the arc with exactly that bulge.
 
+pub mod crossing;
 pub mod curve;
+pub mod gap;
 pub mod piece;
 pub mod precision;
 pub mod real;
