@@ -5,9 +5,11 @@
 //! the circle through both ends with exactly that radius, the arc with exactly that bulge.
 
 pub mod carriers;
+pub mod crossing;
 pub mod curve;
 pub mod direction;
 pub mod fan;
+pub mod gap;
 pub mod meet;
 pub mod piece;
 pub mod precision;
