@@ -4,12 +4,17 @@
 //! tell; a question is answered yes, no or undecided at a precision, never guessed. Radius and bulge are taken literally:
 //! the circle through both ends with exactly that radius, the arc with exactly that bulge.
 
+pub mod bounds;
 pub mod crossing;
 pub mod curve;
+pub mod distance;
 pub mod gap;
+pub mod inside;
+pub mod membership;
 pub mod piece;
 pub mod precision;
 pub mod real;
 pub mod shape;
 pub mod spot;
+pub mod tree;
 pub mod vector;
