@@ -6,6 +6,7 @@
 
 use std::cmp::Ordering;
 
+use super::bounds::meet;
 use super::piece::{Circle, Piece};
 use super::real::Real;
 use super::vector::Vector;
@@ -14,7 +15,7 @@ use super::vector::Vector;
 /// have no point in common, `None` if the precision does not tell or they touch.
 #[must_use]
 pub fn crosses(a: &Piece, b: &Piece) -> Option<bool> {
-    if are_apart(&a.bounds(), &b.bounds()) {
+    if !meet(&a.bounds(), &b.bounds()) {
         return Some(false);
     }
     match (&a.circle, &b.circle) {
@@ -23,11 +24,6 @@ pub fn crosses(a: &Piece, b: &Piece) -> Option<bool> {
         (Some(circle), None) => line_crosses_arc(b, a, circle),
         (Some(first), Some(second)) => arcs_cross((a, first), (b, second)),
     }
-}
-
-/// Whether closed boxes have no point in common.
-fn are_apart(a: &[f64; 4], b: &[f64; 4]) -> bool {
-    a[0] > b[2] || b[0] > a[2] || a[1] > b[3] || b[1] > a[3]
 }
 
 /// Lines cross if each has its ends on different sides of the other.

@@ -8,6 +8,7 @@
 //! that an end also attains it. Every pair considered is a pair of points of the pieces; if it is open whether it is one,
 //! it counts for the lower bound only.
 
+use super::bounds;
 use super::crossing::crosses;
 use super::piece::{Circle, Piece};
 use super::real::Real;
@@ -27,7 +28,7 @@ pub fn gap(a: &Piece, b: &Piece) -> Real {
     }
     match crossing {
         None => nearest.hull(&Real::from(0.0)),
-        Some(_) => nearest.max(&Real::from(box_distance(&a.bounds(), &b.bounds()))),
+        Some(_) => nearest.max(&Real::from(bounds::distance(&a.bounds(), &b.bounds()))),
     }
 }
 
@@ -98,14 +99,4 @@ fn spanned(first: Option<bool>, second: impl FnOnce() -> Option<bool>) -> Option
         Some(false) => None,
         second => Some(first == Some(true) && second == Some(true)),
     }
-}
-
-/// A lower bound of the distance of two boxes `[x0, y0, x1, y1]`.
-#[must_use]
-pub fn box_distance(a: &[f64; 4], b: &[f64; 4]) -> f64 {
-    // Three roundings of 2^-53 each and the root: 2^-50 covers them.
-    const SHRINK: f64 = 1.0 - 8.9e-16;
-    const UNDERFLOW: f64 = 1e-150;
-    let [x, y] = [0, 1].map(|i| (b[i] - a[i + 2]).max(a[i] - b[i + 2]).max(0.0));
-    ((x * x + y * y).sqrt() * SHRINK - UNDERFLOW).max(0.0)
 }

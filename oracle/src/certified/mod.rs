@@ -4,13 +4,19 @@
 //! tell; a question is answered yes, no or undecided at a precision, never guessed. Radius and bulge are taken literally:
 //! the circle through both ends with exactly that radius, the arc with exactly that bulge.
 
+pub mod boundary;
+pub mod bounds;
 pub mod carriers;
+pub mod chain;
 pub mod crossing;
 pub mod curve;
 pub mod direction;
+pub mod distance;
 pub mod fan;
 pub mod gap;
+pub mod inside;
 pub mod meet;
+pub mod membership;
 pub mod piece;
 pub mod precision;
 pub mod real;
@@ -18,5 +24,6 @@ pub mod shape;
 pub mod spot;
 pub mod stretch;
 pub mod sums;
+pub mod tree;
 pub mod vector;
 pub mod walk;
