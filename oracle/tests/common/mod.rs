@@ -1,6 +1,8 @@
 //! Inputs for the tests: small regions full of coincidences, random polygons, and the fork of the memo's section J5.
 #![allow(dead_code, reason = "every test binary uses its own part of this module")]
 
+pub mod outline;
+
 use arcsum_oracle::enclose::{Enclosure, enclose};
 use arcsum_oracle::number::Number;
 use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
