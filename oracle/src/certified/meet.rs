@@ -8,6 +8,7 @@ use std::cmp::Ordering;
 use super::carriers::{Places, grown};
 use super::piece::Piece;
 use super::precision::Precision;
+use super::real::Real;
 use super::vector::Vector;
 
 pub use super::carriers::{SAME, ZONE};
@@ -86,8 +87,14 @@ fn are_far(first: &Piece, second: &Piece) -> bool {
 
 /// Whether a contact is known well enough to be one.
 fn is_fine(place: &Vector, precision: Precision) -> bool {
-    let small = || [&place.x, &place.y].into_iter().all(|c| (c - c).is_within(CLUSTER));
+    let small = || [&place.x, &place.y].into_iter().all(|c| spread(c).is_within(CLUSTER));
     precision >= LIMIT || (precision > Precision::DOUBLE && small())
+}
+
+/// The differences of two numbers of an interval.
+fn spread(interval: &Real) -> Real {
+    let other = interval;
+    interval - other
 }
 
 /// The ends of each piece on the other, for pieces with the same carrier.

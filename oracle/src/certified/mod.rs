@@ -4,11 +4,21 @@
 //! tell; a question is answered yes, no or undecided at a precision, never guessed. Radius and bulge are taken literally:
 //! the circle through both ends with exactly that radius, the arc with exactly that bulge.
 
+pub mod boundary;
+pub mod bounds;
 pub mod carriers;
 pub mod cell;
+pub mod chain;
+pub mod crossing;
 pub mod curve;
+pub mod direction;
+pub mod distance;
+pub mod fan;
+pub mod gap;
 pub mod hausdorff;
+pub mod inside;
 pub mod meet;
+pub mod membership;
 pub mod nearest;
 pub mod piece;
 pub mod precision;
@@ -19,5 +29,8 @@ pub mod slabs;
 pub mod spot;
 pub mod stretch;
 pub mod strips;
+pub mod sums;
+pub mod tree;
 pub mod uprights;
 pub mod vector;
+pub mod walk;

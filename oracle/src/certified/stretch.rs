@@ -13,6 +13,7 @@ use super::curve::Curve;
 use super::piece::Piece;
 use super::precision::Precision;
 use super::real::Real;
+use super::spot::Spot;
 use super::vector::Vector;
 use crate::interval::Interval;
 
@@ -54,5 +55,19 @@ pub fn stretch(whole: &Arc<Curve>, ends: [Float; 2]) -> Curve {
             exact => along(piece, &fraction(exact, precision)),
         };
         Piece { from: end(&ends[0]), to: end(&ends[1]), circle: piece.circle.clone() }
+    })
+}
+
+/// A point right of a curve, nearer than `reach` to its point at a fraction. It is not straight to the right, so that it is
+/// not in line with everything else where directions repeat.
+#[must_use]
+pub fn beside(curve: &Arc<Curve>, place: &Float, reach: f64) -> Spot {
+    let (curve, place) = (Arc::clone(curve), place.clone());
+    Spot::new(move |precision| {
+        let piece = curve.at(precision);
+        let point = along(piece, &fraction(&place, precision));
+        let forward = piece.tangent(&point).unit();
+        let step = &(&forward * &Real::from(0.375)) - &forward.left();
+        &point + &(&step * &Real::from(0.5 * reach))
     })
 }

@@ -1,6 +1,9 @@
 //! Inputs for the tests: small regions full of coincidences, random polygons, and the fork of the memo's section J5.
 #![allow(dead_code, reason = "every test binary uses its own part of this module")]
 
+pub mod outline;
+
+use arcsum_oracle::enclose::{Enclosure, enclose};
 use arcsum_oracle::number::Number;
 use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
 use arcsum_oracle::region::ExactRegion;
@@ -99,4 +102,26 @@ pub fn fork(p: u32) -> (PlainRegion, PlainRegion, f64) {
     }
     let region = |loops| PlainRegion { loops, unbounded: false };
     (region(a), region(b), coarse)
+}
+
+/// A disc as two half circles; a hole of that shape for a negative radius.
+pub fn disc(x: f64, y: f64, r: f64) -> Vec<Corner> {
+    let bulge = Bend::Bulge(1f64.copysign(r));
+    let corner = |x| Corner { x, y, bend: bulge };
+    vec![corner(x - r.abs()), corner(x + r.abs())]
+}
+
+/// A ring of random arcs: bulges of both signs over a regular polygon.
+pub fn bulged() -> impl Strategy<Value = PlainRegion> {
+    prop::collection::vec(-0.3..0.3f64, 3..9).prop_map(|bulges| {
+        let n = bulges.len() as f64;
+        let turn = |k: usize| (k as f64 / n * std::f64::consts::TAU).sin_cos();
+        let corner = |(k, bulge): (usize, f64)| Corner { x: turn(k).1, y: turn(k).0, bend: Bend::Bulge(bulge) };
+        PlainRegion { loops: vec![bulges.into_iter().enumerate().map(corner).collect()], unbounded: false }
+    })
+}
+
+/// Polygons inside and around a region.
+pub fn enclosed(region: &PlainRegion, pieces: usize) -> Enclosure<rug::Rational> {
+    enclose(region, pieces).expect("the test's region is sound")
 }

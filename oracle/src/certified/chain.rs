@@ -1,0 +1,70 @@
+//! Whether the stretches of a boundary close up: where some arrive, as many leave.
+//!
+//! Stretches meet in places, the clusters at their ends; places with a point in common count as one. A boundary that misses
+//! a stretch or has one too many is out of balance at the ends of it.
+
+use super::boundary::{Boundary, Edge};
+use super::real::Real;
+use super::vector::Vector;
+use crate::boxes::{Boxes, Extent};
+use crate::error::OracleError;
+
+impl Boundary {
+    /// Checks that as many edges arrive at every place as leave it, places with undecided stretches aside.
+    ///
+    /// # Errors
+    /// [`OracleError::Inconsistent`] if not; [`OracleError::BadNumber`] for places too large to index.
+    pub fn check_closed(&self) -> Result<(), OracleError> {
+        if self.edges.is_empty() {
+            return Ok(());
+        }
+        let edges = || self.edges.iter().chain(&self.undecided);
+        let places: Vec<&Vector> = edges().flat_map(|edge: &Edge| &edge.ends).collect();
+        let groups = groups(&places)?;
+        let mut balance = vec![0i64; places.len()];
+        let mut open = vec![false; places.len()];
+        for edge in 0..places.len() / 2 {
+            let [start, end] = [groups[2 * edge], groups[2 * edge + 1]];
+            if edge < self.edges.len() {
+                balance[start] += 1;
+                balance[end] -= 1;
+            } else {
+                open[start] = true;
+                open[end] = true;
+            }
+        }
+        if balance.iter().zip(open).any(|(&balance, open)| balance != 0 && !open) {
+            return Err(OracleError::Inconsistent("the boundary of a sum does not close up"));
+        }
+        Ok(())
+    }
+}
+
+/// For every place the number of its group: those it overlaps, directly or by others.
+fn groups(places: &[&Vector]) -> Result<Vec<usize>, OracleError> {
+    let extents: Vec<_> = places.iter().map(|place| extent(place)).collect();
+    let boxes = Boxes::new(&extents)?;
+    let mut groups = vec![usize::MAX; places.len()];
+    for first in 0..places.len() {
+        let mut reached = if groups[first] == usize::MAX { vec![first] } else { Vec::new() };
+        while let Some(place) = reached.pop() {
+            groups[place] = first;
+            boxes.visit(&extents[place], |other| {
+                if groups[other] == usize::MAX && overlap(places[place], places[other]) {
+                    groups[other] = first;
+                    reached.push(other);
+                }
+            });
+        }
+    }
+    Ok(groups)
+}
+
+fn extent(place: &Vector) -> Extent {
+    Extent { ends: [place.x.lo(), place.y.lo(), place.x.hi(), place.y.hi()] }
+}
+
+fn overlap(a: &Vector, b: &Vector) -> bool {
+    let meets = |a: &Real, b: &Real| !a.is_below(b) && !b.is_below(a);
+    meets(&a.x, &b.x) && meets(&a.y, &b.y)
+}
