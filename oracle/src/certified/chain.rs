@@ -40,6 +40,40 @@ impl Boundary {
     }
 }
 
+impl Boundary {
+    /// The number of loops, if no two of them touch and nothing is undecided.
+    ///
+    /// # Errors
+    /// [`OracleError::BadNumber`] for places too large to index.
+    pub fn loops(&self) -> Result<Option<usize>, OracleError> {
+        if !self.undecided.is_empty() {
+            return Ok(None);
+        }
+        if self.edges.is_empty() {
+            return Ok(Some(0));
+        }
+        let places: Vec<&Vector> = self.edges.iter().flat_map(|edge| &edge.ends).collect();
+        let groups = groups(&places)?;
+        let mut leaving = vec![None; places.len()];
+        for edge in 0..self.edges.len() {
+            if leaving[groups[2 * edge]].replace(edge).is_some() {
+                return Ok(None);
+            }
+        }
+        let mut passed = vec![false; self.edges.len()];
+        let mut loops = 0;
+        for start in 0..self.edges.len() {
+            loops += usize::from(!passed[start]);
+            let mut next = Some(start);
+            while let Some(edge) = next.filter(|&edge| !passed[edge]) {
+                passed[edge] = true;
+                next = leaving[groups[2 * edge + 1]];
+            }
+        }
+        Ok(Some(loops))
+    }
+}
+
 /// For every place the number of its group: those it overlaps, directly or by others.
 fn groups(places: &[&Vector]) -> Result<Vec<usize>, OracleError> {
     let extents: Vec<_> = places.iter().map(|place| extent(place)).collect();

@@ -7,13 +7,11 @@
 //!
 //! `hi` is at most 1/32 or 2^-60 above `lo`, unless the search runs out of cuts; then the bracket is wider and still valid.
 
-use std::sync::Arc;
-
-use super::curve::Curve;
 use super::nearest::Nearest;
 use super::reach::Reach;
 use super::shape::Shape;
 use super::slabs::{Differences, Layer, differences};
+use super::strips::Span;
 use super::vector::Vector;
 use crate::error::OracleError;
 use crate::measure::{Bracket, Direction};
@@ -28,14 +26,14 @@ const HIDDEN: f64 = 1.0 / (1u128 << 80) as f64;
 #[derive(Clone, Debug, Default)]
 pub struct Outline {
     /// Closed loops with the interior, the points of winding number other than 0, on the left.
-    pub curves: Vec<Arc<Curve>>,
+    pub pieces: Vec<Span>,
     /// Whether everything far away belongs to the region.
     pub unbounded: bool,
 }
 
 impl From<&Shape> for Outline {
     fn from(shape: &Shape) -> Self {
-        Self { curves: shape.sides().map(|side| side.curve.clone()).collect(), unbounded: shape.unbounded }
+        Self { pieces: shape.sides().map(|side| Span::from(&side.curve)).collect(), unbounded: shape.unbounded }
     }
 }
 
@@ -47,7 +45,7 @@ impl From<&Shape> for Outline {
 /// [`OracleError::BadNumber`] for coordinates too large for doubles, [`OracleError::Inconsistent`] for boundaries that do
 /// not close.
 pub fn between(result: &Outline, truth: &Outline) -> Result<Option<Bracket>, OracleError> {
-    let layers = [result, truth].map(|o| Layer { curves: &o.curves, base: i32::from(o.unbounded) });
+    let layers = [result, truth].map(|o| Layer { pieces: &o.pieces, base: i32::from(o.unbounded) });
     let Some(found) = differences(layers)? else { return Ok(None) };
     // A bounded region without any part of the plane to its edges is empty, an unbounded one the plane.
     let empty = [0, 1].map(|i| found.edges[i].is_empty() && layers[i].base == 0);

@@ -16,7 +16,7 @@ use super::curve::Curve;
 use super::meet::LIMIT;
 use super::precision::Precision;
 use super::real::Real;
-use super::strips::Strips;
+use super::strips::{Span, Strips};
 use super::uprights;
 use crate::error::OracleError;
 
@@ -33,7 +33,7 @@ pub struct Trapezoid {
 #[derive(Clone, Copy)]
 pub struct Layer<'a> {
     /// Its boundary: closed loops with the interior, the points of winding number other than 0, on the left.
-    pub curves: &'a [Arc<Curve>],
+    pub pieces: &'a [Span],
     /// The winding number far away.
     pub base: i32,
 }
@@ -54,8 +54,9 @@ pub struct Differences {
 /// [`OracleError::BadNumber`] for coordinates too large for doubles, [`OracleError::Inconsistent`] for loops that do not
 /// close.
 pub fn differences(layers: [Layer<'_>; 2]) -> Result<Option<Differences>, OracleError> {
-    let curves: Vec<Arc<Curve>> = layers.iter().flat_map(|layer| layer.curves.iter().cloned()).collect();
-    let Some(strips) = Strips::new(&curves)? else { return Ok(None) };
+    let pieces: Vec<&Span> = layers.iter().flat_map(|layer| layer.pieces).collect();
+    let curves: Vec<Arc<Curve>> = pieces.iter().map(|piece| Arc::clone(&piece.curve)).collect();
+    let Some(strips) = Strips::new(&pieces)? else { return Ok(None) };
     let mut sweep = Sweep::new(&strips, &curves, layers);
     for strip in 0..strips.ends.len() {
         sweep.pass(strip)?;
@@ -92,7 +93,7 @@ impl<'a> Sweep<'a> {
             curves,
             rightward: curves.iter().map(|curve| uprights::runs_right(curve)).collect(),
             bases: layers.map(|layer| layer.base),
-            second: layers[0].curves.len(),
+            second: layers[0].pieces.len(),
             order: Vec::new(),
             coincide: HashMap::new(),
             open: HashMap::new(),

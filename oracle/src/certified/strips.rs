@@ -11,12 +11,31 @@ use super::curve::Curve;
 use super::meet::{LIMIT, Meeting, meet};
 use super::precision::Precision;
 use super::real::Real;
+use super::vector::Vector;
 use crate::boxes::{Boxes, Extent};
 use crate::error::OracleError;
 
 /// Slabs between strips are wider than two to this power; closer strips are joined. Products of three differences of
 /// doubles near 1 are larger, so strips are joined where something is degenerate only.
 const SLAB: i32 = -190;
+
+/// A piece of a boundary.
+#[derive(Clone, Debug)]
+pub struct Span {
+    /// The piece.
+    pub curve: Arc<Curve>,
+    /// Boxes around its start and its end. Where pieces follow one another these boxes have a point in common; the pieces
+    /// themselves may miss each other by less.
+    pub ends: [Vector; 2],
+}
+
+impl From<&Arc<Curve>> for Span {
+    /// A piece that meets its neighbours exactly.
+    fn from(curve: &Arc<Curve>) -> Self {
+        let piece = curve.at(LIMIT);
+        Self { curve: Arc::clone(curve), ends: [piece.from.clone(), piece.to.clone()] }
+    }
+}
 
 /// Neighbouring strips and what happens in them.
 pub struct Strips {
@@ -39,11 +58,11 @@ impl Strips {
     ///
     /// # Errors
     /// [`OracleError::BadNumber`] for coordinates too large for doubles.
-    pub fn new(curves: &[Arc<Curve>]) -> Result<Option<Self>, OracleError> {
-        let Some(mut events) = contacts(curves)? else { return Ok(None) };
-        for (i, curve) in curves.iter().enumerate() {
-            let piece = curve.at(LIMIT);
-            events.extend([&piece.from, &piece.to].map(|end| Event { ends: end.x.floats(LIMIT), curves: [i, i] }));
+    pub fn new(pieces: &[&Span]) -> Result<Option<Self>, OracleError> {
+        let curves: Vec<Arc<Curve>> = pieces.iter().map(|piece| Arc::clone(&piece.curve)).collect();
+        let Some(mut events) = contacts(&curves)? else { return Ok(None) };
+        for (i, piece) in pieces.iter().enumerate() {
+            events.extend(piece.ends.each_ref().map(|end| Event { ends: end.x.floats(LIMIT), curves: [i, i] }));
         }
         events.sort_by(|a, b| a.ends[0].partial_cmp(&b.ends[0]).unwrap_or(Ordering::Equal));
         let mut strips = Self { ends: Vec::new(), involved: Vec::new(), spans: vec![[usize::MAX, 0]; curves.len()] };

@@ -6,9 +6,11 @@ pub mod polygon;
 pub mod result;
 pub mod why;
 
+use crate::bridge::unit;
 use crate::cases::Case;
 use crate::engine::Answer;
 use crate::row::{Status, number};
+use arcsum_oracle::measure::{Bracket, Direction};
 use serde::{Deserialize, Serialize};
 
 /// What the references found out about an answer.
@@ -50,6 +52,31 @@ impl Judgement {
             failed_checks: Vec::new(),
             note: note.into(),
             golden: None,
+        }
+    }
+
+    /// What a certified bracket says: its numbers, whether the loops are as many as those of the reference if that is known,
+    /// and a sentence made of what explains them and of a remark.
+    #[must_use]
+    fn measured(case: &Case, answer: &Answer, bracket: Bracket, loops: Option<usize>, remark: String) -> Self {
+        let (x, y) = bracket.witness;
+        let differ = loops.is_some_and(|loops| loops != answer.region.loops.len());
+        let sentences = [
+            why::short_bits(case, answer, bracket.hi, unit(&case.a, &case.b)),
+            loops.map_or_else(String::new, |loops| why::other_loops(answer, loops)),
+            remark,
+        ];
+        let direction = if bracket.direction == Direction::FromResult { "result" } else { "sum" };
+        Self {
+            status: Status::Ok,
+            mu_lo: Some(bracket.lo),
+            // Zero may come with a minus.
+            mu_hi: Some(bracket.hi + 0.0),
+            direction: Some(direction.to_owned()),
+            witness: (x.is_finite() && y.is_finite()).then_some([x, y]),
+            exact_loops: loops.map(|loops| loops as u64),
+            failed_checks: if differ { vec!["loops".into()] } else { Vec::new() },
+            ..Self::undecided(sentences.into_iter().filter(|s| !s.is_empty()).collect::<Vec<_>>().join("; "))
         }
     }
 }
