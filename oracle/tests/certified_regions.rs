@@ -42,7 +42,7 @@ fn outline(region: &PlainRegion) -> Outline {
 fn agree(first: &PlainRegion, second: &PlainRegion) -> Result<(), TestCaseError> {
     let exact = |region| ExactRegion::<Q>::from_plain(region).expect("a polygon");
     let known = measure::between(&exact(first), &exact(second), 1.0).expect("small numbers");
-    let found = between(&outline(first), &outline(second)).expect("closed").expect("decided");
+    let found = between(&outline(first), &outline(second)).expect("closed").expect("decided").bracket;
     prop_assert!(found.lo <= known.hi && known.lo <= found.hi, "{found:?} is not {known:?}");
     let tight = found.hi <= found.lo * 1.04 || found.hi - found.lo < 2f64.powi(-58);
     prop_assert!(tight || found.lo.is_infinite(), "{found:?}");

@@ -37,6 +37,15 @@ impl From<&Shape> for Outline {
     }
 }
 
+/// What was found about the distance of two regions.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// The bracket.
+    pub bracket: Bracket,
+    /// Its witness, as finely as it is known.
+    pub place: Option<Vector>,
+}
+
 /// A certified bracket of the distance between a result and the region it should be, in the units of their coordinates;
 /// `None` if it is undecided how two of the curves meet. It is infinite if one region is unbounded or empty and the other
 /// is not.
@@ -44,7 +53,7 @@ impl From<&Shape> for Outline {
 /// # Errors
 /// [`OracleError::BadNumber`] for coordinates too large for doubles, [`OracleError::Inconsistent`] for boundaries that do
 /// not close.
-pub fn between(result: &Outline, truth: &Outline) -> Result<Option<Bracket>, OracleError> {
+pub fn between(result: &Outline, truth: &Outline) -> Result<Option<Found>, OracleError> {
     let layers = [result, truth].map(|o| Layer { pieces: &o.pieces, base: i32::from(o.unbounded) });
     let Some(found) = differences(layers)? else { return Ok(None) };
     // A bounded region without any part of the plane to its edges is empty, an unbounded one the plane.
@@ -53,13 +62,14 @@ pub fn between(result: &Outline, truth: &Outline) -> Result<Option<Bracket>, Ora
         let more = (result.unbounded && !truth.unbounded) || empty[1];
         let direction = if more { Direction::FromResult } else { Direction::FromSum };
         let witness = (f64::NAN, f64::NAN);
-        return Ok(Some(Bracket { lo: f64::INFINITY, hi: f64::INFINITY, direction, witness }));
+        let bracket = Bracket { lo: f64::INFINITY, hi: f64::INFINITY, direction, witness };
+        return Ok(Some(Found { bracket, place: None }));
     }
     bracket(&found).map(Some)
 }
 
 /// The bracket over all trapezoids of both differences.
-fn bracket(found: &Differences) -> Result<Bracket, OracleError> {
+fn bracket(found: &Differences) -> Result<Found, OracleError> {
     let [of_result, of_truth] = &found.edges;
     let (to_truth, to_result) = (Nearest::new(of_truth)?, Nearest::new(of_result)?);
     let mut forth = Reach::new(&to_truth, &found.parts[0]);
@@ -71,7 +81,8 @@ fn bracket(found: &Differences) -> Result<Bracket, OracleError> {
     let (lo, place) = search.reached();
     let witness = place.map_or((f64::NAN, f64::NAN), Vector::nearest);
     let hidden = found.blur + HIDDEN;
-    Ok(Bracket { lo: (lo - hidden).max(0.0), hi: hi.max(lo) + hidden, direction, witness })
+    let bracket = Bracket { lo: (lo - hidden).max(0.0), hi: hi.max(lo) + hidden, direction, witness };
+    Ok(Found { bracket, place: place.cloned() })
 }
 
 #[cfg(test)]
@@ -94,7 +105,7 @@ mod tests {
     }
 
     fn measured(a: &Outline, b: &Outline) -> Bracket {
-        between(a, b).expect("consistent").expect("decided")
+        between(a, b).expect("consistent").expect("decided").bracket
     }
 
     fn holds(bracket: &Bracket, truth: f64) {

@@ -7,18 +7,19 @@
 use std::sync::Arc;
 
 use super::boundary::{Edge, boundary};
-use super::hausdorff::{Outline, between};
+use super::hausdorff::{Found, Outline, between};
 use super::membership::Membership;
 use super::nearest::FINE;
 use super::shape::Shape;
 use super::spot::Spot;
 use super::strips::Span;
+use super::vector::Vector;
 use crate::error::{Budget, OracleError};
 use crate::measure::{Bracket, Direction};
 use crate::plain::{Bend, Corner, PlainRegion};
 
-/// How far a witness rounded to doubles may be from where it was measured, in the unit box, for coordinates up to 8.
-const ROUNDED: f64 = 8.0 * f64::EPSILON;
+/// What the measures of a witness may differ by, besides the blur of the boundary.
+const SLACK: f64 = 1.0 / (1u128 << 80) as f64;
 
 /// The sum of two regions.
 pub struct Reference {
@@ -91,22 +92,21 @@ impl Reference {
             return Ok(None);
         }
         let result = Outline::from(&Shape::new(&scaled(result, self.unit)?)?);
-        let Some(mut bracket) = between(&result, &self.sum)? else { return Ok(None) };
-        self.confirm(&bracket)?;
+        let Some(found) = between(&result, &self.sum)? else { return Ok(None) };
+        self.confirm(&found)?;
+        let mut bracket = found.bracket;
         bracket.lo = (bracket.lo - self.blur).max(0.0);
         bracket.hi += self.blur;
         bracket.witness = (bracket.witness.0 * self.unit, bracket.witness.1 * self.unit);
         Ok(Some(bracket))
     }
 
-    /// Checks that a witness in the result is as far from the sum as the bracket says, as far as its rounding lets tell.
-    fn confirm(&self, bracket: &Bracket) -> Result<(), OracleError> {
-        let (x, y) = bracket.witness;
-        if bracket.direction != Direction::FromResult || !x.is_finite() || !bracket.lo.is_finite() {
-            return Ok(());
-        }
-        let distance = self.membership.distance(&Spot::exact(x, y), FINE);
-        let slack = ROUNDED + self.blur;
+    /// Checks that a witness in the result is as far from the sum as the bracket says.
+    fn confirm(&self, Found { bracket, place }: &Found) -> Result<(), OracleError> {
+        let Some(place) = place.clone().filter(|_| bracket.direction == Direction::FromResult) else { return Ok(()) };
+        let spot = Spot::new(move |precision| Vector { x: place.x.rounded(precision), y: place.y.rounded(precision) });
+        let distance = self.membership.distance(&spot, FINE);
+        let slack = SLACK + self.blur;
         if distance.hi() < bracket.lo - slack || distance.lo() > bracket.hi + slack {
             return Err(OracleError::Inconsistent("a distance to the boundary of the sum is not the one to the sum"));
         }
