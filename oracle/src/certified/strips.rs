@@ -47,10 +47,16 @@ pub struct Strips {
     pub spans: Vec<[usize; 2]>,
 }
 
-/// An interval of abscissas and the curves concerned.
+/// An interval of abscissas and what happens there.
 struct Event {
     ends: [Float; 2],
-    curves: [usize; 2],
+    kind: Kind,
+}
+
+/// A curve ends, or two curves meet: perhaps only near the end of one, beyond the strip in which it ends.
+enum Kind {
+    End(usize),
+    Contact([usize; 2]),
 }
 
 impl Strips {
@@ -62,7 +68,7 @@ impl Strips {
         let curves: Vec<Arc<Curve>> = pieces.iter().map(|piece| Arc::clone(&piece.curve)).collect();
         let Some(mut events) = contacts(&curves)? else { return Ok(None) };
         for (i, piece) in pieces.iter().enumerate() {
-            events.extend(piece.ends.each_ref().map(|end| Event { ends: end.x.floats(LIMIT), curves: [i, i] }));
+            events.extend(piece.ends.each_ref().map(|end| Event { ends: end.x.floats(LIMIT), kind: Kind::End(i) }));
         }
         events.sort_by(|a, b| a.ends[0].partial_cmp(&b.ends[0]).unwrap_or(Ordering::Equal));
         let mut strips = Self { ends: Vec::new(), involved: Vec::new(), spans: vec![[usize::MAX, 0]; curves.len()] };
@@ -91,10 +97,13 @@ impl Strips {
             }
         }
         let strip = self.ends.len() - 1;
-        for curve in event.curves {
-            self.involved[strip].push(curve);
-            let span = &mut self.spans[curve];
-            *span = [span[0].min(strip), span[1].max(strip)];
+        match event.kind {
+            Kind::Contact(curves) => self.involved[strip].extend(curves),
+            Kind::End(curve) => {
+                self.involved[strip].push(curve);
+                let span = &mut self.spans[curve];
+                *span = [span[0].min(strip), span[1].max(strip)];
+            }
         }
     }
 
@@ -135,7 +144,9 @@ fn contacts(curves: &[Arc<Curve>]) -> Result<Option<Vec<Event>>, OracleError> {
                 Meeting::Apart => {}
                 Meeting::Unclear => decided = false,
                 Meeting::Contacts { contacts, .. } => events.extend(
-                    contacts.iter().map(|contact| Event { ends: contact.place.x.floats(LIMIT), curves: [i, j] }),
+                    contacts
+                        .iter()
+                        .map(|contact| Event { ends: contact.place.x.floats(LIMIT), kind: Kind::Contact([i, j]) }),
                 ),
             }
         };
