@@ -4,7 +4,8 @@
 //! they change only where another segment comes in from the left, and the difference between left and right changes
 //! only where segments lie on top of each other. Along the way it is always known whether the segment separates inside
 //! from outside, so no point is ever computed except the ends of boundary pieces. Coincident segments are reported once,
-//! by the first of them.
+//! by the first of them. Hidden segments, which the caller knows to bound nothing, count for the others but are not
+//! walked themselves; hiding one that does bound something leaves boundaries that do not close up.
 //!
 //! Several layers of curves keep separate winding numbers, so that a Boolean operation is a predicate on them.
 
@@ -12,67 +13,14 @@ use std::cell::OnceCell;
 use std::cmp::Ordering;
 
 use crate::boxes::{Boxes, Extent};
+use crate::curves::{Curves, Segment};
 use crate::error::{Budget, OracleError};
 use crate::interval::Interval;
 use crate::number::Number;
 use crate::point::{Place, Point, area_exact, area_interval, cross_sign, dot_sign, orient};
-use crate::region::ring_edges;
 
 /// A directed piece of boundary, the inside on its left.
 pub type Edge<Q> = (Point<Q>, Point<Q>);
-
-/// A directed segment between two places, of positive length.
-#[derive(Clone, Copy, Debug)]
-struct Segment {
-    tail: usize,
-    head: usize,
-    layer: usize,
-}
-
-/// Closed curves in layers: every place is the head of as many segments of a layer as it is the tail of.
-pub struct Curves<Q> {
-    places: Vec<Place<Q>>,
-    segments: Vec<Segment>,
-}
-
-impl<Q: Number> Default for Curves<Q> {
-    fn default() -> Self {
-        Self { places: Vec::new(), segments: Vec::new() }
-    }
-}
-
-impl<Q: Number> Curves<Q> {
-    /// Adds a place and returns its index.
-    pub fn place(&mut self, point: Point<Q>) -> usize {
-        self.places.push(Place::from(point));
-        self.places.len() - 1
-    }
-
-    /// Adds a segment between two places given by their index; one of no length is left out.
-    pub fn segment(&mut self, tail: usize, head: usize, layer: usize) {
-        if self.places[tail].order(&self.places[head]) != Ordering::Equal {
-            self.segments.push(Segment { tail, head, layer });
-        }
-    }
-
-    /// Adds a closed polyline.
-    pub fn ring(&mut self, ring: impl IntoIterator<Item = Point<Q>>, layer: usize) {
-        let numbers: Vec<usize> = ring.into_iter().map(|point| self.place(point)).collect();
-        ring_edges(&numbers).for_each(|(&tail, &head)| self.segment(tail, head, layer));
-    }
-
-    /// The number of segments.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.segments.len()
-    }
-
-    /// Whether there are no segments.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.segments.is_empty()
-    }
-}
 
 /// The boundaries of R regions: region k is where `inside[k]` holds for the winding numbers of the L layers, which far
 /// away are `base`. Each boundary is a set of directed edges with the region on the left that meet only at ends, except
@@ -87,26 +35,22 @@ pub fn boundaries<Q: Number, const L: usize, const R: usize>(
     budget: Budget,
 ) -> Result<[Vec<Edge<Q>>; R], OracleError> {
     budget.check_segments(curves.len())?;
-    let extents: Vec<Extent> = curves.segments.iter().filter_map(|s| curves.extent(s)).collect();
+    let segments: Vec<Segment> = curves.segments().copied().collect();
+    let extents: Vec<Extent> = segments.iter().map(|s| curves.extent(s)).collect();
     let boxes = Boxes::new(&extents)?;
-    let walker = Walker { curves, extents, boxes, base, inside };
+    let walker = Walker { curves, segments, extents, boxes, base, inside };
     let mut edges = std::array::from_fn(|_| Vec::new());
     let mut meetings = 0;
-    for s in 0..curves.len() {
+    for s in (0..walker.segments.len()).filter(|&s| !walker.segments[s].hidden) {
         meetings += walker.walk(s, &mut edges);
         budget.check_meetings(meetings)?;
     }
     Ok(edges)
 }
 
-impl<Q: Number> Curves<Q> {
-    fn extent(&self, s: &Segment) -> Option<Extent> {
-        Extent::around([&self.places[s.tail], &self.places[s.head]])
-    }
-}
-
 struct Walker<'a, Q, const L: usize, const R: usize> {
     curves: &'a Curves<Q>,
+    segments: Vec<Segment>,
     extents: Vec<Extent>,
     boxes: Boxes,
     base: [i32; L],
@@ -164,15 +108,15 @@ struct Run<Q> {
 
 impl<Q: Number, const L: usize, const R: usize> Walker<'_, Q, L, R> {
     fn ends(&self, s: usize) -> (&Place<Q>, &Place<Q>) {
-        let segment = &self.curves.segments[s];
-        (&self.curves.places[segment.tail], &self.curves.places[segment.head])
+        let segment = &self.segments[s];
+        (self.curves.at(segment.tail), self.curves.at(segment.head))
     }
 
     /// Walks one segment and returns the number of segments it was compared with.
     fn walk(&self, s: usize, edges: &mut [Vec<Edge<Q>>; R]) -> u64 {
-        let segment = &self.curves.segments[s];
+        let segment = &self.segments[s];
         let mut state = State { left: [0; L], step: [0; L], covers: 0 };
-        state.step[segment.layer] = 1;
+        state.step[segment.layer] = segment.weight;
         let mut events = Vec::new();
         let mut meetings = 0;
         self.boxes.visit(&self.extents[s], |r| {
@@ -250,7 +194,8 @@ impl<Q: Number, const L: usize, const R: usize> Walker<'_, Q, L, R> {
                 return;
             }
             if self.q_is_left_of(s, r, climbs) == climbs {
-                winding[self.curves.segments[r].layer] += if climbs { 1 } else { -1 };
+                let Segment { layer, weight, .. } = self.segments[r];
+                winding[layer] += if climbs { weight } else { -weight };
             }
         });
         winding
@@ -270,24 +215,24 @@ impl<Q: Number, const L: usize, const R: usize> Walker<'_, Q, L, R> {
 
     /// Notes what r does to the walk along s.
     fn meet(&self, s: usize, r: usize, state: &mut State<L>, events: &mut Vec<Event<Q>>) {
-        let side_of_tail = self.side(s, self.curves.segments[r].tail);
-        let side_of_head = self.side(s, self.curves.segments[r].head);
+        let side_of_tail = self.side(s, self.segments[r].tail);
+        let side_of_head = self.side(s, self.segments[r].head);
         let left = match (side_of_tail, side_of_head) {
             (Ordering::Equal, Ordering::Equal) => return self.overlap(s, r, state, events),
             (Ordering::Greater, Ordering::Greater) => return,
             // It comes in from the left, so that walking on one gets to its left side.
-            (Ordering::Greater, _) => 1,
-            (_, Ordering::Greater) => -1,
+            (Ordering::Greater, _) => self.segments[r].weight,
+            (_, Ordering::Greater) => -self.segments[r].weight,
             _ => return,
         };
-        let before = self.side(r, self.curves.segments[s].tail);
-        let after = self.side(r, self.curves.segments[s].head);
+        let before = self.side(r, self.segments[s].tail);
+        let after = self.side(r, self.segments[s].head);
         if before == after || before == Ordering::Equal || after == Ordering::Equal {
             return;
         }
         let ((a, b), (c, d)) = (self.ends(s), self.ends(r));
         let (from, to) = (area_interval(c, d, a), area_interval(c, d, b));
-        let change = Change { layer: self.curves.segments[r].layer, left, step: 0, covers: 0 };
+        let change = Change { layer: self.segments[r].layer, left, step: 0, covers: 0 };
         events.push(Event {
             spot: Spot::Crossing { other: r },
             near: from / (from - to),
@@ -298,25 +243,27 @@ impl<Q: Number, const L: usize, const R: usize> Walker<'_, Q, L, R> {
 
     /// The side of s on which a place lies.
     fn side(&self, s: usize, place: usize) -> Ordering {
-        let segment = &self.curves.segments[s];
+        let segment = &self.segments[s];
         if place == segment.tail || place == segment.head {
             return Ordering::Equal;
         }
         let (tail, head) = self.ends(s);
-        orient(tail, head, &self.curves.places[place])
+        orient(tail, head, self.curves.at(place))
     }
 
     /// Notes what a segment r on the line of s does to the walk.
     fn overlap(&self, s: usize, r: usize, state: &mut State<L>, events: &mut Vec<Event<Q>>) {
         let ((tail, head), (from, to)) = (self.ends(s), self.ends(r));
-        let segment = &self.curves.segments[r];
+        let segment = &self.segments[r];
         let same = dot_sign(tail, head, from, to).is_gt();
         let (first, last) = if same { (segment.tail, segment.head) } else { (segment.head, segment.tail) };
-        let beyond = |start: &Place<Q>, p: usize| dot_sign(start, &self.curves.places[p], tail, head);
+        let beyond = |start: &Place<Q>, p: usize| dot_sign(start, self.curves.at(p), tail, head);
         if beyond(tail, last).is_le() || beyond(head, first).is_ge() {
             return;
         }
-        let on = Change { layer: segment.layer, left: 0, step: if same { 1 } else { -1 }, covers: i32::from(r < s) };
+        let step = if same { segment.weight } else { -segment.weight };
+        let covers = i32::from(r < s && !segment.hidden);
+        let on = Change { layer: segment.layer, left: 0, step, covers };
         let off = Change { step: -on.step, covers: -on.covers, ..on };
         if beyond(tail, first).is_gt() {
             events.push(self.event_at_place(s, first, on));
@@ -330,7 +277,7 @@ impl<Q: Number, const L: usize, const R: usize> Walker<'_, Q, L, R> {
 
     fn event_at_place(&self, s: usize, index: usize, change: Change) -> Event<Q> {
         let (tail, head) = self.ends(s);
-        let ((ux, uy), (vx, vy)) = (tail.step(head), tail.step(&self.curves.places[index]));
+        let ((ux, uy), (vx, vy)) = (tail.step(head), tail.step(self.curves.at(index)));
         let near = (ux * vx + uy * vy) / (ux.square() + uy.square());
         Event { spot: Spot::Place { index }, near, exact: OnceCell::new(), change }
     }
@@ -355,7 +302,7 @@ impl<Q: Number, const L: usize, const R: usize> Walker<'_, Q, L, R> {
                 }
                 Spot::Place { index } => {
                     let run = b.exact.minus(&a.exact);
-                    let part = self.curves.places[index].exact.minus(&a.exact);
+                    let part = self.curves.at(index).exact.minus(&a.exact);
                     part.dot(&run).over(&run.dot(&run))
                 }
             }
@@ -366,7 +313,7 @@ impl<Q: Number, const L: usize, const R: usize> Walker<'_, Q, L, R> {
         let (a, b) = self.ends(s);
         match event.spot {
             Spot::Crossing { .. } => a.exact.toward(&b.exact, self.parameter(s, event)),
-            Spot::Place { index } => self.curves.places[index].exact.clone(),
+            Spot::Place { index } => self.curves.at(index).exact.clone(),
         }
     }
 }

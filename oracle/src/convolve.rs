@@ -5,10 +5,18 @@
 //! first: an edge of A meets the turns of B in (lo, hi], an edge of B those of A in [lo, hi). These segments form closed
 //! curves whose winding number around t is the Euler characteristic of A ∩ (t-B). Per pair of components, holes that
 //! cannot matter are filled first; then the winding number is positive inside the sum and 0 outside.
+//!
+//! A segment at a right turn counts for winding numbers but has no piece of the sum's boundary on it (MS 5). Let p be
+//! inside an edge of A with normal n towards A, and v a vertex of B at which the boundary turns right past the edge's
+//! direction. Of the two edges of B at v, one leads from v to points v+d with n·d < 0, arbitrarily near: the leaving one
+//! unless it is parallel to the edge of A, the arriving one otherwise. But for finitely many p, A contains a half disc
+//! of some radius r around p, all p+x with n·x >= 0 and |x| <= r. So for |d| < r and every u small enough, p+v+u is the
+//! sum of p+(u-d) in A and v+d in B: p+v is an interior point of the sum.
 
 use std::collections::HashMap;
 
-use crate::arrange::{Curves, boundaries};
+use crate::arrange::boundaries;
+use crate::curves::Curves;
 use crate::error::{Budget, OracleError};
 use crate::number::Number;
 use crate::parts::{Ring, parts};
@@ -57,8 +65,11 @@ fn convolve<Q: Number>(curves: &mut Curves<Q>, a: &Ring<Q>, b: &Ring<Q>, budget:
     let mut add = |from: (usize, usize), to: (usize, usize), forward: bool| -> Result<(), OracleError> {
         let [from, to] = [from, to]
             .map(|(i, j)| *numbers.entry((i, j)).or_insert_with(|| curves.place(a[i].exact.plus(&b[j].exact))));
-        let (tail, head) = if forward { (from, to) } else { (to, from) };
-        curves.segment(tail, head, 0);
+        if forward {
+            curves.segment(from, to, 0);
+        } else {
+            curves.hidden_segment(to, from, 0);
+        }
         budget.check_segments(curves.len())
     };
     for i in 0..a.len() {

@@ -7,6 +7,7 @@ pub mod arrange;
 pub mod boxes;
 pub mod convex;
 pub mod convolve;
+pub mod curves;
 pub mod decompose;
 pub mod enclose;
 pub mod error;
