@@ -21,8 +21,8 @@ pub struct Segment {
     /// How often the curves run along it, less how often against it: the winding number on its left less the one on its
     /// right, where no other segment lies on it.
     pub weight: i32,
-    /// Whether no boundary asked for has a piece on it.
-    pub hidden: bool,
+    /// Numbers of two places on it, in order, between which every piece of boundary on it lies; `None` if it has none.
+    pub exposed: Option<[usize; 2]>,
 }
 
 /// Closed curves in layers: in each layer the weights of the segments that leave a place add up to those that enter it.
@@ -71,11 +71,34 @@ impl<Q: Number> Curves<Q> {
         let next = self.segments.len();
         let position = *self.positions.entry((tail.min(head), tail.max(head), layer)).or_insert(next);
         if position == next {
-            self.segments.push(Segment { tail, head, layer, weight: 0, hidden: false });
+            self.segments.push(Segment { tail, head, layer, weight: 0, exposed: Some([tail, head]) });
         }
         let segment = &mut self.segments[position];
         segment.weight += if segment.tail == tail { 1 } else { -1 };
-        segment.hidden |= hidden;
+        if hidden {
+            segment.exposed = None;
+        }
+    }
+
+    /// Narrows where each segment may have a piece of boundary: `exposed` tells for its ends between which parameters,
+    /// 0 at the tail and 1 at the head, pieces may lie, or `None`.
+    pub fn expose(&mut self, exposed: impl Fn(&Place<Q>, &Place<Q>) -> Option<[f64; 2]>) {
+        for position in 0..self.segments.len() {
+            let Segment { tail, head, exposed: Some(_), .. } = self.segments[position] else { continue };
+            let range = exposed(&self.places[tail], &self.places[head]);
+            self.segments[position].exposed = range.map(|range| range.map(|t| self.place_between(tail, head, t)));
+        }
+    }
+
+    /// The number of the place at a parameter on the way from one place to another.
+    fn place_between(&mut self, tail: usize, head: usize, parameter: f64) -> usize {
+        if parameter == 0.0 {
+            return tail;
+        } else if parameter == 1.0 {
+            return head;
+        }
+        let parameter = Q::from_f64(parameter).expect("parameters are finite");
+        self.place(self.places[tail].exact.toward(&self.places[head].exact, &parameter))
     }
 
     /// Adds a closed polyline.
@@ -107,10 +130,9 @@ impl<Q: Number> Curves<Q> {
         self.segments.iter().filter(|segment| segment.weight != 0)
     }
 
-    /// The box around a segment.
+    /// The box around two places.
     #[must_use]
-    pub fn extent(&self, segment: &Segment) -> Extent {
-        let ends = [segment.tail, segment.head].map(|number| &self.places[number]);
-        Extent::around(ends).expect("two places have an extent")
+    pub fn extent(&self, ends: [usize; 2]) -> Extent {
+        Extent::around(ends.map(|number| &self.places[number])).expect("two places have an extent")
     }
 }
