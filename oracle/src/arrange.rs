@@ -146,3 +146,33 @@ fn is_left_of<Q: Number>([tail, head]: [&Place<Q>; 2], [from, to]: [&Place<Q>; 2
         .then_with(|| dot_sign(from, to, tail, head))
         .is_gt()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Field;
+    use crate::curves::Curves;
+    use crate::point::Point;
+    use proptest::prelude::*;
+    use rug::Rational;
+
+    fn ring() -> impl Strategy<Value = Vec<Point<Rational>>> {
+        let point = (0i32..4, 0i32..4).prop_map(|(x, y)| Point { x: Rational::from(x), y: Rational::from(y) });
+        prop::collection::vec(point, 2..6)
+    }
+
+    proptest! {
+        #[test]
+        fn rays_to_both_sides_count_the_same(rings in prop::collection::vec(ring(), 1..4), base in -1i32..2) {
+            let mut curves = Curves::default();
+            rings.into_iter().for_each(|ring| curves.ring(ring, 0));
+            let field = Field::new(&curves, [base]).expect("small");
+            for index in 0..field.segments.len() {
+                let (tail, head) = field.ends(index);
+                for (tail, head) in [(tail, head), (head, tail)] {
+                    let [left, right] = [false, true].map(|to_right| field.winding_by_ray(tail, head, to_right).0);
+                    prop_assert_eq!(left, right);
+                }
+            }
+        }
+    }
+}

@@ -136,3 +136,72 @@ impl<Q: Number> Curves<Q> {
         Extent::around(ends.map(|number| &self.places[number])).expect("two places have an extent")
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Curves;
+    use crate::arrange::boundaries;
+    use crate::error::{Budget, OracleError};
+    use crate::point::{Place, Point};
+    use crate::region::ExactRegion;
+    use rug::Rational;
+
+    fn ring(corners: &[(i32, i32)]) -> Vec<Point<Rational>> {
+        corners.iter().map(|&(x, y)| Point { x: Rational::from(x), y: Rational::from(y) }).collect()
+    }
+
+    /// Where the curves wind more than a number of times.
+    fn region(curves: &Curves<Rational>, inside: fn(&[i32; 1]) -> bool) -> Result<ExactRegion<Rational>, OracleError> {
+        let [edges] = boundaries(curves, [0], [inside], Budget::NONE)?;
+        ExactRegion::from_edges(edges, false)
+    }
+
+    #[test]
+    fn equal_segments_add_up_and_opposite_ones_cancel() {
+        let square = [(0, 0), (2, 0), (2, 2), (0, 2)];
+        let mut curves = Curves::default();
+        curves.ring(ring(&square), 0);
+        curves.ring(ring(&square), 0);
+        assert_eq!(curves.segments().count(), 4);
+        assert!(curves.segments().all(|segment| segment.weight == 2));
+        assert!(!region(&curves, |w| w[0] == 2).expect("closed").is_empty());
+        assert!(region(&curves, |w| w[0] == 1).expect("closed").is_empty());
+        curves.ring(ring(&[(2, 0), (4, 0), (4, 2), (2, 2)]), 0);
+        let wall: Vec<i32> = curves.segments().filter(|s| [s.tail, s.head] == [1, 2]).map(|s| s.weight).collect();
+        assert_eq!(wall, [1]);
+        let back: Vec<_> = square.iter().rev().copied().collect();
+        curves.ring(ring(&back), 0);
+        // Now the two squares have a wall between them of weight 0.
+        assert_eq!((curves.len(), curves.segments().count()), (7, 6));
+        let both = ExactRegion::from_rings(vec![ring(&[(0, 0), (4, 0), (4, 2), (0, 2)])], false, |w| w[0] != 0);
+        assert_eq!(region(&curves, |w| w[0] > 0), both);
+    }
+
+    #[test]
+    fn layers_do_not_cancel() {
+        let mut curves = Curves::default();
+        curves.ring(ring(&[(0, 0), (2, 0), (0, 2)]), 0);
+        curves.ring(ring(&[(0, 2), (2, 0), (0, 0)]), 1);
+        assert_eq!(curves.segments().count(), 6);
+    }
+
+    #[test]
+    fn exposing_all_that_bounds_changes_nothing_and_less_is_noticed() {
+        let expose = |range: Option<[f64; 2]>| {
+            let mut curves = Curves::default();
+            // Two squares with a common corner region: boundary lies on the first half of the segment from (2, 0).
+            curves.ring(ring(&[(0, 0), (2, 0), (2, 2), (0, 2)]), 0);
+            curves.ring(ring(&[(1, 1), (3, 1), (3, 3), (1, 3)]), 0);
+            let start = Place::from(ring(&[(2, 0)])[0].clone());
+            curves.expose(|tail, _| if tail.order(&start).is_eq() { range } else { Some([0.0, 1.0]) });
+            region(&curves, |w| w[0] > 0)
+        };
+        let whole = expose(Some([0.0, 1.0])).expect("closed");
+        assert_eq!(whole.area(), 7);
+        assert_eq!(expose(Some([0.0, 0.5])).as_ref(), Ok(&whole));
+        assert_eq!(expose(Some([0.0, 0.75])).as_ref(), Ok(&whole));
+        for too_little in [None, Some([0.25, 1.0]), Some([0.0, 0.25])] {
+            assert!(matches!(expose(too_little), Err(OracleError::Inconsistent(_))), "{too_little:?}");
+        }
+    }
+}
