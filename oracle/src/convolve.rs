@@ -7,12 +7,14 @@
 //! cannot matter are filled first; then the winding number is positive inside the sum and 0 outside.
 //!
 //! A segment at a right turn counts for winding numbers but has no piece of the sum's boundary on it (MS 5). Let p be
-//! inside an edge of A with normal n towards A, and v a vertex of B at which the boundary turns right past the edge's
-//! direction. Of the two edges of B at v, one leads from v to points v+d with n·d < 0, arbitrarily near: the leaving one
-//! unless it is parallel to the edge of A, the arriving one otherwise. But for finitely many p, A contains a half disc
-//! of some radius r around p, all p+x with n·x >= 0 and |x| <= r. So for |d| < r and every u small enough, p+v+u is the
-//! sum of p+(u-d) in A and v+d in B: p+v is an interior point of the sum. Of the other segments, what lies in the squares
-//! of a [`Cover`] has no boundary on it either.
+//! inside an edge of A (or with A and B exchanged) with normal n towards A, and v a vertex of B at which the boundary
+//! turns right past the edge's direction. Of the two edges of B at v, one leads from v to points v+d with n·d < 0,
+//! arbitrarily near: the leaving one unless it is parallel to the edge of A, the arriving one otherwise. Except for
+//! finitely many p, A contains a half disc of some radius r around p, all p+x with n·x >= 0 and |x| <= r. So for |d| < r
+//! and every u small enough, p+v+u is the sum of p+(u-d) in A and v+d in B: p+v is an interior point of the sum. Nothing
+//! is used of B but that it contains its edges, so pinches do no harm.
+//!
+//! Of the other segments, what lies in the squares of a [`Cover`] has no boundary on it either and is not walked.
 
 use std::collections::HashMap;
 
@@ -28,8 +30,8 @@ use crate::region::ExactRegion;
 /// The closed, regularised Minkowski sum of two regions.
 ///
 /// # Errors
-/// [`OracleError::TooCostly`] beyond the budget; [`OracleError::Inconsistent`] if a winding number on the way is negative
-/// or the boundary does not close up.
+/// [`OracleError::TooCostly`] beyond the budget; [`OracleError::Inconsistent`] if a winding number beside a walk is
+/// negative or the boundary does not close up.
 pub fn sum<Q: Number>(a: &ExactRegion<Q>, b: &ExactRegion<Q>, budget: Budget) -> Result<ExactRegion<Q>, OracleError> {
     sum_walking(Walked::Needed, a, b, budget)
 }

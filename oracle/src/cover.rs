@@ -52,8 +52,8 @@ impl Cover {
         }
     }
 
-    /// Where a segment may leave the squares: the parameters, 0 at the tail and 1 at the head, of two points of it outside
-    /// of which it lies in the squares, so in the interior of the sum; `None` if all of it does.
+    /// Where a segment may leave the squares: the parameters, 0 at the tail and 1 at the head, of two points of it before
+    /// and after which it lies in the squares, so in the interior of the sum; `None` if all of it does.
     #[must_use]
     pub fn exposed<Q: Number>(&self, tail: &Place<Q>, head: &Place<Q>) -> Option<[f64; 2]> {
         let ends = [tail, head].map(|place| self.lattice.coordinates(place));

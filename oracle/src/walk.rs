@@ -98,7 +98,7 @@ impl<'a, Q: Number, const L: usize> Walk<'a, Q, L> {
         Self { field, index, ends, tail, head }
     }
 
-    /// Finds the pieces of the boundary of each region on the way and returns the number of segments it was compared with.
+    /// Finds the pieces of boundary of each region on the way and returns the number of segments looked at.
     pub(crate) fn follow<const R: usize>(
         &self,
         inside: [fn(&[i32; L]) -> bool; R],
