@@ -131,10 +131,14 @@ impl<'a, Q: Number, const L: usize> Walk<'a, Q, L> {
         state.switch(inside, &mut runs, edges, || self.tail.exact.clone());
         let mut k = 0;
         while k < events.len() {
-            let here = &events[k];
+            let (here, first) = (&events[k], k);
             while k < events.len() && self.compare(here, &events[k]) == Ordering::Equal {
                 state.apply(events[k].change);
                 k += 1;
+            }
+            if k > first + 1 {
+                // Other boundary may pass straight through here even if nothing changes for this walk.
+                cut(&mut runs, edges, || self.locate(here));
             }
             state.switch(inside, &mut runs, edges, || self.locate(here));
         }
@@ -229,6 +233,13 @@ impl<'a, Q: Number, const L: usize> Walk<'a, Q, L> {
             Spot::Crossing { .. } => a.exact.toward(&b.exact, self.parameter(event)),
             Spot::Place { index } => self.field.place(index).exact.clone(),
         }
+    }
+}
+
+/// Ends all runs.
+fn cut<Q, const R: usize>(runs: &mut [Option<Run<Q>>; R], edges: &mut [Vec<Edge<Q>>; R], here: impl Fn() -> Point<Q>) {
+    for (run, edges) in runs.iter_mut().zip(edges) {
+        edges.extend(run.take().map(|run| run.finish(here())));
     }
 }
 
