@@ -5,10 +5,22 @@
 //! first: an edge of A meets the turns of B in (lo, hi], an edge of B those of A in [lo, hi). These segments form closed
 //! curves whose winding number around t is the Euler characteristic of A ∩ (t-B). Per pair of components, holes that
 //! cannot matter are filled first; then the winding number is positive inside the sum and 0 outside.
+//!
+//! A segment at a right turn counts for winding numbers but has no piece of the sum's boundary on it (MS 5). Let p be
+//! inside an edge of A (or with A and B exchanged) with normal n towards A, and v a vertex of B at which the boundary
+//! turns right past the edge's direction. Of the two edges of B at v, one leads from v to points v+d with n·d < 0,
+//! arbitrarily near: the leaving one unless it is parallel to the edge of A, the arriving one otherwise. Except for
+//! finitely many p, A contains a half disc of some radius r around p, all p+x with n·x >= 0 and |x| <= r. So for |d| < r
+//! and every u small enough, p+v+u is the sum of p+(u-d) in A and v+d in B: p+v is an interior point of the sum. Nothing
+//! is used of B but that it contains its edges, so pinches do no harm.
+//!
+//! Of the other segments, what lies in the squares of a [`Cover`] has no boundary on it either and is not walked.
 
 use std::collections::HashMap;
 
-use crate::arrange::{Curves, boundaries};
+use crate::arrange::boundaries;
+use crate::cover::Cover;
+use crate::curves::Curves;
 use crate::error::{Budget, OracleError};
 use crate::number::Number;
 use crate::parts::{Ring, parts};
@@ -18,8 +30,39 @@ use crate::region::ExactRegion;
 /// The closed, regularised Minkowski sum of two regions.
 ///
 /// # Errors
-/// [`OracleError::TooCostly`] beyond the budget; [`OracleError::Inconsistent`] if a winding number is negative.
+/// [`OracleError::TooCostly`] beyond the budget; [`OracleError::Inconsistent`] if a winding number beside a walk is
+/// negative or the boundary does not close up.
 pub fn sum<Q: Number>(a: &ExactRegion<Q>, b: &ExactRegion<Q>, budget: Budget) -> Result<ExactRegion<Q>, OracleError> {
+    sum_walking(Walked::Needed, a, b, budget)
+}
+
+/// [`sum`] with every segment walked from end to end: what the two shortcuts are tested against.
+///
+/// # Errors
+/// As [`sum`].
+pub fn unfiltered_sum<Q: Number>(
+    a: &ExactRegion<Q>,
+    b: &ExactRegion<Q>,
+    budget: Budget,
+) -> Result<ExactRegion<Q>, OracleError> {
+    sum_walking(Walked::All, a, b, budget)
+}
+
+/// Which segments are walked.
+#[derive(Clone, Copy, PartialEq)]
+enum Walked {
+    /// Those that may carry boundary of the sum, where they may.
+    Needed,
+    /// All of them.
+    All,
+}
+
+fn sum_walking<Q: Number>(
+    walked: Walked,
+    a: &ExactRegion<Q>,
+    b: &ExactRegion<Q>,
+    budget: Budget,
+) -> Result<ExactRegion<Q>, OracleError> {
     if a.is_empty() || b.is_empty() {
         return Ok(ExactRegion::empty());
     }
@@ -39,9 +82,14 @@ pub fn sum<Q: Number>(a: &ExactRegion<Q>, b: &ExactRegion<Q>, budget: Budget) ->
             }
             base += i32::from(part_a.unbounded() || part_b.unbounded());
             for ring_a in &rings_a {
-                rings_b.iter().try_for_each(|ring_b| convolve(&mut curves, ring_a, ring_b, budget))?;
+                rings_b.iter().try_for_each(|ring_b| convolve(&mut curves, walked, ring_a, ring_b, budget))?;
             }
         }
+    }
+    if walked == Walked::Needed
+        && let Some(cover) = Cover::new(a, b, curves.len())
+    {
+        curves.expose(|tail, head| cover.exposed(tail, head));
     }
     let [edges, negative] = boundaries(&curves, [base], [|w| w[0] > 0, |w| w[0] < 0], budget)?;
     if !negative.is_empty() {
@@ -51,14 +99,24 @@ pub fn sum<Q: Number>(a: &ExactRegion<Q>, b: &ExactRegion<Q>, budget: Budget) ->
 }
 
 /// Adds the convolution of two rings to the curves.
-fn convolve<Q: Number>(curves: &mut Curves<Q>, a: &Ring<Q>, b: &Ring<Q>, budget: Budget) -> Result<(), OracleError> {
+fn convolve<Q: Number>(
+    curves: &mut Curves<Q>,
+    walked: Walked,
+    a: &Ring<Q>,
+    b: &Ring<Q>,
+    budget: Budget,
+) -> Result<(), OracleError> {
     let (turns_a, turns_b) = (turns(a), turns(b));
     let mut numbers: HashMap<(usize, usize), usize> = HashMap::new();
     let mut add = |from: (usize, usize), to: (usize, usize), forward: bool| -> Result<(), OracleError> {
         let [from, to] = [from, to]
             .map(|(i, j)| *numbers.entry((i, j)).or_insert_with(|| curves.place(a[i].exact.plus(&b[j].exact))));
         let (tail, head) = if forward { (from, to) } else { (to, from) };
-        curves.segment(tail, head, 0);
+        if forward || walked == Walked::All {
+            curves.segment(tail, head, 0);
+        } else {
+            curves.hidden_segment(tail, head, 0);
+        }
         budget.check_segments(curves.len())
     };
     for i in 0..a.len() {

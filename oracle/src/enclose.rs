@@ -6,8 +6,9 @@
 //! is narrower than its circle segments are flattened, that still holds, and the sign of the winding numbers decides.
 
 use crate::arc::{Arc, bulges};
-use crate::arrange::{Curves, boundaries};
+use crate::arrange::boundaries;
 use crate::convolve;
+use crate::curves::Curves;
 use crate::error::{Budget, OracleError};
 use crate::interval::Interval;
 use crate::number::Number;

@@ -39,16 +39,16 @@ pub enum OracleError {
 /// Limits on the work of one question. Counts, not times, so that the same question always gets the same answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Budget {
-    /// Segments in one arrangement (sum segments, or edges of pairwise sums).
+    /// Segments in one arrangement (sum segments, equal ones counted once, or edges of pairwise sums).
     pub segments: u64,
-    /// Pairs of segments or pieces whose boxes meet.
+    /// Pairs of segments or pieces whose boxes meet, and segments that may meet a ray.
     pub meetings: u64,
 }
 
 impl Default for Budget {
-    /// Enough for two random polygons of a few hundred vertices: about a minute.
+    /// Enough for two polygons of about 2,000 vertices, less where their sum has many holes: up to about a minute.
     fn default() -> Self {
-        Self { segments: 400_000, meetings: 400_000_000 }
+        Self { segments: 3_000_000, meetings: 400_000_000 }
     }
 }
 

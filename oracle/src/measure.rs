@@ -13,7 +13,8 @@
 //! `hi` is at most 1/32 above `lo`, or below 2^-62 unit-box lengths, unless [`crate::farthest`] runs out of cuts; then the
 //! bracket is wider and still valid.
 
-use crate::arrange::{Curves, Edge, boundaries};
+use crate::arrange::{Edge, boundaries};
+use crate::curves::Curves;
 use crate::error::{Budget, OracleError};
 use crate::farthest::Farthest;
 use crate::interval::Interval;

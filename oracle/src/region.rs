@@ -6,7 +6,8 @@
 
 use std::cmp::Ordering;
 
-use crate::arrange::{Curves, Edge, boundaries};
+use crate::arrange::{Edge, boundaries};
+use crate::curves::Curves;
 use crate::error::{Budget, OracleError};
 use crate::interval::Interval;
 use crate::number::Number;

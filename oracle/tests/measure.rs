@@ -249,6 +249,18 @@ fn a_loop_twisted_by_rounding_is_measured_as_the_region_it_winds_around() {
     assert_eq!(measure(&twice, &square()).hi, 0.0);
 }
 
+/// Three lines through one point with the inside and the outside in turn around it: no winding number changes along any of
+/// them there, and yet all must be cut.
+#[test]
+fn boundaries_that_cross_in_one_point_are_cut_there() {
+    let corners = [(1.0, 0.0), (-1.0, 0.0), (-0.5, -1.0), (0.5, 1.0), (-0.5, 1.0), (0.5, -1.0)];
+    let three = region(vec![ring(corners)]);
+    let loops = exact::<Rational>(&three).loops().to_vec();
+    assert_eq!(loops.iter().map(Vec::len).collect::<Vec<_>>(), [3, 3, 3]);
+    let one = region(vec![ring([(0.0, 0.0), (0.5, 1.0), (-0.5, 1.0)])]);
+    assert_is_root(measure(&three, &one), &rational(1.25), Direction::FromResult);
+}
+
 #[test]
 fn nothing_and_everything_are_infinitely_far() {
     let (nothing, all) = (PlainRegion::default(), complement(&PlainRegion::default()));
