@@ -25,6 +25,9 @@ impl Membership {
     /// precision, infinite if one of the regions is empty.
     #[must_use]
     pub fn distance(&self, t: &Spot, precision: Precision) -> Real {
+        if self.is_plane() {
+            return Real::from(0.0);
+        }
         let Some(Nearest { distance, .. }) = self.nearest(t, precision) else {
             let free = self.state_within(t, precision) == State::Free;
             return Real::from(if free { f64::INFINITY } else { 0.0 });
@@ -72,10 +75,10 @@ impl Membership {
                 None => new,
                 Some(old) => old.nearer(new),
             };
-            let limit = nearest.distance.hi().min(known);
+            let least = nearest.distance.hi();
             best = Some(nearest);
             // Nothing is nearer than pieces that cross.
-            if limit > 0.0 { limit } else { -1.0 }
+            if least > 0.0 { least.min(known) } else { -1.0 }
         });
         let nearest = best?;
         self.nearest.set((nearest.first, nearest.second));
