@@ -7,6 +7,7 @@ use arcsum_oracle::certified::precision::Precision;
 use arcsum_oracle::certified::real::Real;
 use arcsum_oracle::certified::shape::Shape;
 use arcsum_oracle::certified::spot::Spot;
+use arcsum_oracle::certified::vector::Vector;
 use arcsum_oracle::convolve;
 use arcsum_oracle::error::Budget;
 use arcsum_oracle::locate::{Location, Locator};
@@ -187,6 +188,26 @@ fn the_closest_fits_are_told() {
     assert!(overlap(&with(loose).distance(&t, LIMIT), &around(0.5 - loose)));
     assert_eq!(with(tight).distance(&t, LIMIT).hi(), 0.0);
     assert!(with(0.5).distance(&t, LIMIT).is_within(-200));
+}
+
+#[test]
+fn translates_just_off_contact_are_told() {
+    // Two discs, and a disc beside a square, moved away from contact in the direction (3/5, 4/5) or (1, 0).
+    let unit = region(vec![disc(0.0, 0.0, 1.0)]);
+    let square = region(vec![rectangle(-1.0, -1.0, 1.0, 1.0)]);
+    for (a, direction, contact) in [(&unit, [3.0, 4.0, 5.0], 1.5), (&square, [1.0, 0.0, 1.0], 1.5)] {
+        let asked = membership(a, &region(vec![disc(0.0, 0.0, 0.5)]));
+        for (k, sign) in [10, 60, 300, 2000].into_iter().flat_map(|k| [(k, 1.0), (k, -1.0)]) {
+            let off = move |p: Precision| (0..k).fold(Real::new(sign, p), |x, _| x * 0.5);
+            let size = move |p: Precision| off(p) + contact;
+            let part = move |axis: usize, p: Precision| size(p) * direction[axis] / direction[2];
+            let t = Spot::new(move |p| Vector { x: part(0, p), y: part(1, p) });
+            assert_eq!(asked.state(&t), if sign > 0.0 { State::Free } else { State::Blocked }, "2^-{k}");
+            let distance = asked.distance(&t, Precision::FINEST);
+            let expected = if sign > 0.0 { off(Precision::FINEST) } else { Real::from(0.0) };
+            assert!((&distance - &expected).is_within(-4000), "2^-{k}");
+        }
+    }
 }
 
 #[test]

@@ -25,20 +25,12 @@ impl Membership {
     /// precision, infinite if one of the regions is empty.
     #[must_use]
     pub fn distance(&self, t: &Spot, precision: Precision) -> Real {
-        if self.is_plane() {
+        let state = self.state_within(t, precision);
+        if state == State::Blocked {
             return Real::from(0.0);
         }
-        let Some(Nearest { distance, .. }) = self.nearest(t, precision) else {
-            let free = self.state_within(t, precision) == State::Free;
-            return Real::from(if free { f64::INFINITY } else { 0.0 });
-        };
-        let state =
-            if distance.is_positive() { self.state_of_apart(t, precision) } else { self.state_within(t, precision) };
-        match state {
-            State::Blocked => Real::from(0.0),
-            State::Free => distance,
-            State::Undecided => distance.hull(&Real::from(0.0)),
-        }
+        let distance = self.nearest(t, precision).map_or(Real::from(f64::INFINITY), |nearest| nearest.distance);
+        if state == State::Free { distance } else { distance.hull(&Real::from(0.0)) }
     }
 
     /// The distance of the boundaries of A and of t - B, and a pair that attains it; `None` if one has no boundary.

@@ -80,7 +80,7 @@ impl Membership {
     /// The same without going beyond a precision.
     #[must_use]
     pub fn state_within(&self, t: &Spot, limit: Precision) -> State {
-        if self.is_plane() {
+        if self.first.unbounded && self.second.unbounded {
             return State::Blocked;
         }
         let Some(mut open) = self.meeting_pairs(&t.at(Precision::DOUBLE)) else {
@@ -98,11 +98,6 @@ impl Membership {
             }
         }
         if open.is_empty() { self.state_of_apart(t, limit) } else { State::Undecided }
-    }
-
-    /// Whether both regions are unbounded, so that the sum is the plane.
-    pub(super) fn is_plane(&self) -> bool {
-        self.first.unbounded && self.second.unbounded
     }
 
     /// The pairs of pieces that doubles do not tell apart; `None` if some pair certainly crosses.
@@ -162,8 +157,8 @@ impl Membership {
         pairs.iter().any(|&(i, j)| overlaps(&self.first, i, &self.second) || overlaps(&self.second, j, &self.first))
     }
 
-    /// The state if the boundaries have no point in common and the sum is not the plane.
-    pub(super) fn state_of_apart(&self, t: &Spot, limit: Precision) -> State {
+    /// The state if the boundaries have no point in common.
+    fn state_of_apart(&self, t: &Spot, limit: Precision) -> State {
         let pairs = [(&self.first, &self.second), (&self.second, &self.first)];
         let mut state = State::Free;
         for (inner, outer) in pairs {
