@@ -228,12 +228,18 @@ fn forgetting_inner_points_is_noticed() {
 
 #[test]
 fn touches_are_never_decided() {
-    // Externally and internally tangent circles, a line tangent to one, a common quarter, and lines that share an end.
-    let tangent = [(circle(0.0, 0.0, 0.5), circle(1.0, 0.0, 0.5)), (circle(0.0, 0.0, 1.0), circle(0.5, 0.0, 0.5))];
-    for (first, second) in tangent {
+    // Circles tangent at the ends of quarters and inside them, from outside and from inside.
+    let circles = [(5.0, 0.0, 2.5), (1.25, 0.0, 1.25), (3.0, 4.0, 2.5), (0.75, 1.0, 1.25)];
+    for (x, y, r) in circles {
+        let (first, second) = (circle(0.0, 0.0, 2.5), circle(x, y, r));
         let answers: Vec<_> = first.iter().flat_map(|a| second.iter().map(|b| crosses(&a.fine, &b.fine))).collect();
         assert!(answers.contains(&None) && !answers.contains(&Some(true)));
     }
+    // The tangent of the circle of radius 5 at (3, 4).
+    let tangent = pieces((-1.0, 7.0), (7.0, 1.0), Bend::Line);
+    let answers: Vec<_> = circle(0.0, 0.0, 5.0).iter().map(|a| crosses(&a.fine, &tangent[0].fine)).collect();
+    assert!(answers.contains(&None) && !answers.contains(&Some(true)));
+    // A quarter upon itself, and lines that end on each other.
     let quarter = &circle(0.0, 0.0, 0.5)[0];
     assert_eq!(crosses(&quarter.fine, &quarter.fine.reversed()), None);
     let line = |from, to| pieces(from, to, Bend::Line)[0].fine.clone();

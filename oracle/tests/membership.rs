@@ -2,6 +2,8 @@
 
 mod common;
 
+use arcsum_oracle::certified::distance::Nearest;
+use arcsum_oracle::certified::gap::gap;
 use arcsum_oracle::certified::membership::{Membership, State};
 use arcsum_oracle::certified::precision::Precision;
 use arcsum_oracle::certified::real::Real;
@@ -56,6 +58,16 @@ fn overlap(a: &Real, b: &Real) -> bool {
     a.lo() <= b.hi() && b.lo() <= a.hi()
 }
 
+/// Whether the pair said to be nearest is as far apart as is said.
+fn attains(asked: &Membership, regions: [&PlainRegion; 2], t: &Spot) -> bool {
+    let Some(Nearest { distance, first, second }) = asked.nearest(t, LIMIT) else {
+        return regions.iter().any(|region| region.loops.is_empty());
+    };
+    let [a, b] = regions.map(|region| Shape::new(region).expect("a sound region"));
+    let piece = |shape: &Shape, side| shape.sides().nth(side).expect("a side").curve.at(LIMIT).clone();
+    overlap(&gap(&piece(&a, first), &piece(&b, second).mirrored(&t.at(LIMIT))), &distance)
+}
+
 /// Small polygons of both kinds, or their complements.
 fn polygon() -> impl Strategy<Value = PlainRegion> {
     let bounded = prop_oneof![2 => cells(3), 1 => radial(3..10)];
@@ -83,6 +95,7 @@ proptest! {
                 _ => { let d = locator.nearest(&place).0; Real::from(d.lo()).hull(&Real::from(d.hi())) }
             };
             prop_assert!(overlap(&rough, &expected) && overlap(&fine, &expected), "{rough:?} {fine:?} {expected:?}");
+            prop_assert!(attains(&asked, [&a, &b], &spot));
             prop_assert!(!fine.hi().is_finite() || (&fine - &Real::from(fine.mid())).is_within(-48));
         }
         for (x, y) in integers {
