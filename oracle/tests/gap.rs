@@ -8,11 +8,13 @@ use std::f64::consts::PI;
 
 use arcsum_oracle::certified::crossing::crosses;
 use arcsum_oracle::certified::gap::gap;
-use arcsum_oracle::certified::piece::Piece;
+use arcsum_oracle::certified::piece::{Circle, Piece};
 use arcsum_oracle::certified::precision::Precision;
 use arcsum_oracle::certified::real::Real;
 use arcsum_oracle::certified::shape::Shape;
+use arcsum_oracle::certified::vector::Vector;
 use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
+use common::hull;
 use proptest::prelude::*;
 
 /// How far branch and bound goes: equidistant curves have as many nearest pairs as fit.
@@ -160,6 +162,13 @@ fn between_ends(a: &Piece, b: &Piece) -> Real {
     first.min(&a.distance(&b.from)).min(&a.distance(&b.to))
 }
 
+/// A piece of which only this is known: that it lies somewhere between two positions.
+fn smeared(here: &Piece, there: &Piece) -> Piece {
+    let circle = here.circle.as_ref().zip(there.circle.as_ref());
+    let circle = circle.map(|(c, d)| Circle { centre: hull(&c.centre, &d.centre), ..c.clone() });
+    Piece { from: hull(&here.from, &there.from), to: hull(&here.to, &there.to), circle }
+}
+
 proptest! {
     #![proptest_config(common::cases(1500))]
 
@@ -186,6 +195,22 @@ proptest! {
         prop_assert_eq!(crosses(&b.fine, &a.fine), fine);
         let reversed = (gap(&b.rough.reversed(), &a.rough), gap(&a.rough, &b.rough));
         prop_assert!((reversed.0.mid() - reversed.1.mid()).abs() < 1e-6);
+    }
+
+    #[test]
+    fn numbers_known_badly_give_answers_that_hold_for_all_of_them(
+        a in piece(), b in piece(), size in 0.0..0.5f64, step in (-1.0..1.0f64, -1.0..1.0f64), parts in prop::collection::vec(0.0..=1.0f64, 6)
+    ) {
+        let step = |part: f64| Vector::new(part * size * step.0, part * size * step.1, Precision::DOUBLE);
+        let a = a.rough;
+        let vague = smeared(&a, &a.moved(&step(1.0)));
+        let (distance, crossing) = (gap(&vague, &b.rough), crosses(&vague, &b.rough));
+        for part in parts {
+            let member = a.moved(&step(part));
+            let (one, crosses) = (gap(&member, &b.rough), crosses(&member, &b.rough));
+            prop_assert!(distance.lo() <= one.hi() && one.lo() <= distance.hi(), "{distance:?} is not {one:?}");
+            prop_assert!(crossing.is_none() || crosses.is_none() || crossing == crosses);
+        }
     }
 
     #[test]

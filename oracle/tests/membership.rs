@@ -16,7 +16,7 @@ use arcsum_oracle::locate::{Location, Locator};
 use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
 use arcsum_oracle::point::{Place, Point};
 use arcsum_oracle::region::ExactRegion;
-use common::{bulged, cells, complement, disc, enclosed, exact, radial, rectangle};
+use common::{bulged, cells, complement, disc, enclosed, exact, hull, radial, rectangle};
 use proptest::prelude::*;
 use rug::Rational;
 
@@ -144,6 +144,27 @@ proptest! {
             prop_assert!((distance.mid() - expected.max(0.0)).abs() < 16.0 * 51f64.exp2().recip());
             prop_assert!((&distance - &Real::from(distance.mid())).is_within(-50));
             prop_assert_eq!(asked.state(&spot), if expected > 0.0 { State::Free } else { State::Blocked });
+        }
+    }
+
+    #[test]
+    fn a_place_known_badly_gets_an_answer_that_holds_for_all_of_it(
+        a in bulged(), hole in prop::bool::weighted(0.5), b in bulged(), size in -4..1i32, points in points(2.5), step in (-1.0..1.0f64, -1.0..1.0f64)
+    ) {
+        let a = if hole { complement(&a) } else { a };
+        let quarter = |c: &Corner| Corner { x: 0.25 * c.x, y: 0.25 * c.y, ..*c };
+        let b = region(vec![b.loops[0].iter().map(quarter).collect()]);
+        let asked = membership(&a, &b);
+        for (x, y) in points {
+            let at = move |part: f64| (x + part * step.0 * f64::from(size).exp2(), y + part * step.1 * f64::from(size).exp2());
+            let vague = Spot::new(move |p| hull(&Vector::new(at(0.0).0, at(0.0).1, p), &Vector::new(at(1.0).0, at(1.0).1, p)));
+            let (state, distance) = (asked.state_within(&vague, LIMIT), asked.distance(&vague, Precision::DOUBLE));
+            for part in 0..=4 {
+                let (x, y) = at(f64::from(part) / 4.0);
+                let one = Spot::exact(x, y);
+                prop_assert!(state == State::Undecided || state == asked.state(&one));
+                prop_assert!(overlap(&distance, &asked.distance(&one, Precision::DOUBLE)));
+            }
         }
     }
 

@@ -1,6 +1,7 @@
 //! Inputs for the tests: small regions full of coincidences, random polygons, and the fork of the memo's section J5.
 #![allow(dead_code, reason = "every test binary uses its own part of this module")]
 
+use arcsum_oracle::certified::vector::Vector;
 use arcsum_oracle::enclose::{Enclosure, enclose};
 use arcsum_oracle::number::Number;
 use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
@@ -131,4 +132,9 @@ pub fn bulged() -> impl Strategy<Value = PlainRegion> {
 /// Polygons inside and around a region.
 pub fn enclosed(region: &PlainRegion, pieces: usize) -> Enclosure<rug::Rational> {
     enclose(region, pieces).expect("the test's region is sound")
+}
+
+/// The box around two points.
+pub fn hull(a: &Vector, b: &Vector) -> Vector {
+    Vector { x: a.x.hull(&b.x), y: a.y.hull(&b.y) }
 }
