@@ -25,17 +25,12 @@ impl Membership {
     /// precision, infinite if one of the regions is empty.
     #[must_use]
     pub fn distance(&self, t: &Spot, precision: Precision) -> Real {
-        let Some(Nearest { distance, .. }) = self.nearest(t, precision) else {
-            let free = self.state_within(t, precision) == State::Free;
-            return Real::from(if free { f64::INFINITY } else { 0.0 });
-        };
-        let state =
-            if distance.is_positive() { self.state_of_apart(t, precision) } else { self.state_within(t, precision) };
-        match state {
-            State::Blocked => Real::from(0.0),
-            State::Free => distance,
-            State::Undecided => distance.hull(&Real::from(0.0)),
+        let state = self.state_within(t, precision);
+        if state == State::Blocked {
+            return Real::from(0.0);
         }
+        let distance = self.nearest(t, precision).map_or(Real::from(f64::INFINITY), |nearest| nearest.distance);
+        if state == State::Free { distance } else { distance.hull(&Real::from(0.0)) }
     }
 
     /// The distance of the boundaries of A and of t - B, and a pair that attains it; `None` if one has no boundary.
@@ -72,10 +67,10 @@ impl Membership {
                 None => new,
                 Some(old) => old.nearer(new),
             };
-            let limit = nearest.distance.hi().min(known);
+            let least = nearest.distance.hi();
             best = Some(nearest);
             // Nothing is nearer than pieces that cross.
-            if limit > 0.0 { limit } else { -1.0 }
+            if least > 0.0 { least.min(known) } else { -1.0 }
         });
         let nearest = best?;
         self.nearest.set((nearest.first, nearest.second));

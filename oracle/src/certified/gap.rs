@@ -12,6 +12,7 @@ use super::bounds;
 use super::crossing::crosses;
 use super::piece::{Circle, Piece};
 use super::real::Real;
+use super::vector::Vector;
 
 /// An interval around the distance of the pieces: 0 where they certainly cross, from 0 up where they may have a point in
 /// common. It is as tight as the precision allows, in absolute terms.
@@ -21,8 +22,9 @@ pub fn gap(a: &Piece, b: &Piece) -> Real {
     if crossing == Some(true) {
         return Real::from(0.0);
     }
-    let mut nearest = ends(a, b);
-    if let Some((distance, exists)) = stationary(a, b) {
+    let mut nearest = between_ends(a, b);
+    let feet = [(a, &b.from), (a, &b.to), (b, &a.from), (b, &a.to)].map(|(piece, end)| foot(piece, end));
+    for (distance, exists) in feet.into_iter().flatten().chain(stationary(a, b)) {
         let smaller = nearest.min(&distance);
         nearest = if exists { smaller } else { nearest.hull(&smaller) };
     }
@@ -32,10 +34,17 @@ pub fn gap(a: &Piece, b: &Piece) -> Real {
     }
 }
 
-/// The distance between the ends of each and the other.
-fn ends(a: &Piece, b: &Piece) -> Real {
-    let first = b.distance(&a.from).min(&b.distance(&a.to));
-    first.min(&a.distance(&b.from)).min(&a.distance(&b.to))
+/// The least distance between an end of one and an end of the other.
+fn between_ends(a: &Piece, b: &Piece) -> Real {
+    let [first, second] = [&a.from, &a.to].map(|end| (end - &b.from).square().min(&(end - &b.to).square()));
+    first.min(&second).sqrt()
+}
+
+/// The distance of a point to the nearest inner point of a piece, and whether there certainly is one; `None` if there
+/// certainly is none.
+fn foot(piece: &Piece, point: &Vector) -> Option<(Real, bool)> {
+    let exists = spanned(piece.spans(point), || Some(true))?;
+    Some((piece.offset(point), exists))
 }
 
 /// The distance on a common normal that may be less than at the ends, and whether its points certainly belong to the

@@ -158,7 +158,7 @@ impl Membership {
     }
 
     /// The state if the boundaries have no point in common.
-    pub(super) fn state_of_apart(&self, t: &Spot, limit: Precision) -> State {
+    fn state_of_apart(&self, t: &Spot, limit: Precision) -> State {
         let pairs = [(&self.first, &self.second), (&self.second, &self.first)];
         let mut state = State::Free;
         for (inner, outer) in pairs {
