@@ -141,8 +141,8 @@ fn lines_within_the_zone_are_undecided() {
             ([(-1.0, 0.0), (-0.5, 0.0), (-0.5, 0.5), (-1.0, 0.5)], [(0.0, low), (0.5, low), (0.5, 0.5), (0.0, 0.5)]);
         walk(&plain(&[&left, &right]), &b)
     };
-    assert!(two(-150).undecided.is_empty() && !two(-250).undecided.is_empty() && two(-420).undecided.is_empty());
-    assert!(two(-250).undecided.iter().any(|edge| edge.curve.rough().chord().length().lo() > 0.4));
+    assert!(two(-250).undecided.is_empty() && !two(-380).undecided.is_empty() && two(-480).undecided.is_empty());
+    assert!(two(-380).undecided.iter().any(|edge| edge.curve.rough().chord().length().lo() > 0.4));
 }
 
 #[test]

@@ -338,7 +338,10 @@ proptest! {
     fn a_boundary_with_a_wrong_edge_is_not_closed((a, b) in pair(), k in any::<prop::sample::Index>(), c in radial(3..6)) {
         for b in [b, c] {
             let mut found = walk(&a, &b);
-            let k = k.index(found.edges.len());
+            // Not among those that a cluster may swallow.
+            let long = |k: &usize| found.edges[*k].curve.rough().chord().length().lo() > 1e-12;
+            let edges: Vec<usize> = (0..found.edges.len()).filter(long).collect();
+            let k = *k.get(&edges);
             found.edges.push(found.edges[k].clone());
             prop_assert!(found.check_closed().is_err());
             found.edges.pop();

@@ -212,7 +212,7 @@ proptest! {
     #[test]
     fn near_touches_are_contacts(
         (x, y, d) in prop::sample::select(vec![(3, 4, 5), (4, 3, 5), (-5, 12, 13), (8, -15, 17), (-20, -21, 29)]),
-        r in 1i32..=4, inner in any::<bool>(), over in any::<bool>(), gap in 30i32..320, left in any::<[bool; 2]>()
+        r in 1i32..=4, inner in any::<bool>(), over in any::<bool>(), gap in 30i32..420, left in any::<[bool; 2]>()
     ) {
         let circles = |p: Precision| {
             let near = Real::new(f64::from(-gap).exp2(), p) * if over { 1.0 } else { -1.0 };
@@ -229,7 +229,7 @@ proptest! {
         let touch = Vector::new(f64::from(x), f64::from(y), LIMIT).unit();
         let touch = &touch * &Real::from(sign * f64::from(r));
         let mut within = 0;
-        for step in (0..340).step_by(7).flat_map(|k| [f64::from(-k).exp2(), -f64::from(-k).exp2(), 0.0]) {
+        for step in (0..440).step_by(7).flat_map(|k| [f64::from(-k).exp2(), -f64::from(-k).exp2(), 0.0]) {
             let point = &(&touch + &(&touch.left() * &Real::from(step))).unit() * &Real::from(f64::from(r));
             if first.iter().any(|piece| piece.spans(&point) != Some(false))
                 && second.iter().any(|piece| piece.distance(&point).is_below(&limit))

@@ -20,8 +20,8 @@ use crate::interval::Interval;
 
 /// Clusters shorter than two to this power need not be known any better. A single contact that [`meet`] reports is.
 pub const CLUSTER: i32 = -88;
-/// Clusters longer than two to this power hide too much. Lines that nearly continue each other, and circles of radius r
-/// that touch, make clusters of about √(2^-200 r): this allows radii up to 10^20.
+/// Clusters longer than two to this power hide too much. Touching curves make clusters of about √(Z r) for the zone Z and
+/// the radius r of their difference in curvature: that allows for r up to 2^160.
 pub const OBSCURE: i32 = -66;
 
 /// A contact of the curve with another one, or an end of the curve.
