@@ -8,11 +8,13 @@ use std::f64::consts::PI;
 
 use arcsum_oracle::certified::crossing::crosses;
 use arcsum_oracle::certified::gap::gap;
-use arcsum_oracle::certified::piece::Piece;
+use arcsum_oracle::certified::piece::{Circle, Piece};
 use arcsum_oracle::certified::precision::Precision;
 use arcsum_oracle::certified::real::Real;
 use arcsum_oracle::certified::shape::Shape;
+use arcsum_oracle::certified::vector::Vector;
 use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
+use common::hull;
 use proptest::prelude::*;
 
 /// How far branch and bound goes: equidistant curves have as many nearest pairs as fit.
@@ -160,6 +162,13 @@ fn between_ends(a: &Piece, b: &Piece) -> Real {
     first.min(&a.distance(&b.from)).min(&a.distance(&b.to))
 }
 
+/// A piece of which only this is known: that it lies somewhere between two positions.
+fn smeared(here: &Piece, there: &Piece) -> Piece {
+    let circle = here.circle.as_ref().zip(there.circle.as_ref());
+    let circle = circle.map(|(c, d)| Circle { centre: hull(&c.centre, &d.centre), ..c.clone() });
+    Piece { from: hull(&here.from, &there.from), to: hull(&here.to, &there.to), circle }
+}
+
 proptest! {
     #![proptest_config(common::cases(1500))]
 
@@ -186,6 +195,22 @@ proptest! {
         prop_assert_eq!(crosses(&b.fine, &a.fine), fine);
         let reversed = (gap(&b.rough.reversed(), &a.rough), gap(&a.rough, &b.rough));
         prop_assert!((reversed.0.mid() - reversed.1.mid()).abs() < 1e-6);
+    }
+
+    #[test]
+    fn numbers_known_badly_give_answers_that_hold_for_all_of_them(
+        a in piece(), b in piece(), size in 0.0..0.5f64, step in (-1.0..1.0f64, -1.0..1.0f64), parts in prop::collection::vec(0.0..=1.0f64, 6)
+    ) {
+        let step = |part: f64| Vector::new(part * size * step.0, part * size * step.1, Precision::DOUBLE);
+        let a = a.rough;
+        let vague = smeared(&a, &a.moved(&step(1.0)));
+        let (distance, crossing) = (gap(&vague, &b.rough), crosses(&vague, &b.rough));
+        for part in parts {
+            let member = a.moved(&step(part));
+            let (one, crosses) = (gap(&member, &b.rough), crosses(&member, &b.rough));
+            prop_assert!(distance.lo() <= one.hi() && one.lo() <= distance.hi(), "{distance:?} is not {one:?}");
+            prop_assert!(crossing.is_none() || crosses.is_none() || crossing == crosses);
+        }
     }
 
     #[test]
@@ -228,12 +253,18 @@ fn forgetting_inner_points_is_noticed() {
 
 #[test]
 fn touches_are_never_decided() {
-    // Externally and internally tangent circles, a line tangent to one, a common quarter, and lines that share an end.
-    let tangent = [(circle(0.0, 0.0, 0.5), circle(1.0, 0.0, 0.5)), (circle(0.0, 0.0, 1.0), circle(0.5, 0.0, 0.5))];
-    for (first, second) in tangent {
+    // Circles tangent at the ends of quarters and inside them, from outside and from inside.
+    let circles = [(5.0, 0.0, 2.5), (1.25, 0.0, 1.25), (3.0, 4.0, 2.5), (0.75, 1.0, 1.25)];
+    for (x, y, r) in circles {
+        let (first, second) = (circle(0.0, 0.0, 2.5), circle(x, y, r));
         let answers: Vec<_> = first.iter().flat_map(|a| second.iter().map(|b| crosses(&a.fine, &b.fine))).collect();
         assert!(answers.contains(&None) && !answers.contains(&Some(true)));
     }
+    // The tangent of the circle of radius 5 at (3, 4).
+    let tangent = pieces((-1.0, 7.0), (7.0, 1.0), Bend::Line);
+    let answers: Vec<_> = circle(0.0, 0.0, 5.0).iter().map(|a| crosses(&a.fine, &tangent[0].fine)).collect();
+    assert!(answers.contains(&None) && !answers.contains(&Some(true)));
+    // A quarter upon itself, and lines that end on each other.
     let quarter = &circle(0.0, 0.0, 0.5)[0];
     assert_eq!(crosses(&quarter.fine, &quarter.fine.reversed()), None);
     let line = |from, to| pieces(from, to, Bend::Line)[0].fine.clone();

@@ -2,7 +2,7 @@
 
 mod common;
 
-use arcsum_oracle::certified::inside::inside;
+use arcsum_oracle::certified::inside::{Winding, inside};
 use arcsum_oracle::certified::precision::Precision;
 use arcsum_oracle::certified::real::Real;
 use arcsum_oracle::certified::shape::Shape;
@@ -11,7 +11,7 @@ use arcsum_oracle::certified::vector::Vector;
 use arcsum_oracle::locate::{Location, Locator};
 use arcsum_oracle::plain::PlainRegion;
 use arcsum_oracle::point::{Place, Point};
-use common::{bulged, cells, complement, disc, enclosed, exact, radial};
+use common::{bulged, cells, complement, disc, enclosed, exact, hull, radial};
 use proptest::prelude::*;
 use rug::Rational;
 
@@ -65,6 +65,23 @@ proptest! {
         prop_assert_eq!(inside(&shape, &Spot::exact(corner.x, corner.y)), None);
         for (x, y) in [(corner.x.next_up(), corner.y), (corner.x, corner.y.next_down())] {
             prop_assert_eq!(inside(&shape, &Spot::exact(x, y)), truth(&locator, x, y));
+        }
+    }
+
+    #[test]
+    fn a_point_known_badly_gets_an_answer_that_holds_for_all_its_places(
+        a in prop_oneof![cells(3), bulged()], points in prop::collection::vec((-2.0..4.0f64, -2.0..4.0f64), 12), step in (-0.5..0.5f64, -0.5..0.5f64), rounded in any::<bool>()
+    ) {
+        let winding = Winding::new(&shape(&a));
+        let ask = |point: &Vector| winding.inside_at(point, Precision::DOUBLE);
+        for (x, y) in points {
+            let (x, y) = if rounded { (x.round(), y.round()) } else { (x, y) };
+            let place = |part: f64| Vector::new(x + part * step.0, y + part * step.1, Precision::DOUBLE);
+            let answer = ask(&hull(&place(0.0), &place(1.0)));
+            for part in 0..=8 {
+                let one = ask(&place(f64::from(part) / 8.0));
+                prop_assert!(answer.is_none() || answer == one, "{:?} for {:?} at {}", answer, one, part);
+            }
         }
     }
 

@@ -2,6 +2,8 @@
 
 mod common;
 
+use arcsum_oracle::certified::distance::Nearest;
+use arcsum_oracle::certified::gap::gap;
 use arcsum_oracle::certified::membership::{Membership, State};
 use arcsum_oracle::certified::precision::Precision;
 use arcsum_oracle::certified::real::Real;
@@ -14,7 +16,7 @@ use arcsum_oracle::locate::{Location, Locator};
 use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
 use arcsum_oracle::point::{Place, Point};
 use arcsum_oracle::region::ExactRegion;
-use common::{bulged, cells, complement, disc, enclosed, exact, radial, rectangle};
+use common::{bulged, cells, complement, disc, enclosed, exact, hull, radial, rectangle};
 use proptest::prelude::*;
 use rug::Rational;
 
@@ -56,6 +58,16 @@ fn overlap(a: &Real, b: &Real) -> bool {
     a.lo() <= b.hi() && b.lo() <= a.hi()
 }
 
+/// Whether the pair said to be nearest is as far apart as is said.
+fn attains(asked: &Membership, regions: [&PlainRegion; 2], t: &Spot) -> bool {
+    let Some(Nearest { distance, first, second }) = asked.nearest(t, LIMIT) else {
+        return regions.iter().any(|region| region.loops.is_empty());
+    };
+    let [a, b] = regions.map(|region| Shape::new(region).expect("a sound region"));
+    let piece = |shape: &Shape, side| shape.sides().nth(side).expect("a side").curve.at(LIMIT).clone();
+    overlap(&gap(&piece(&a, first), &piece(&b, second).mirrored(&t.at(LIMIT))), &distance)
+}
+
 /// Small polygons of both kinds, or their complements.
 fn polygon() -> impl Strategy<Value = PlainRegion> {
     let bounded = prop_oneof![2 => cells(3), 1 => radial(3..10)];
@@ -83,6 +95,7 @@ proptest! {
                 _ => { let d = locator.nearest(&place).0; Real::from(d.lo()).hull(&Real::from(d.hi())) }
             };
             prop_assert!(overlap(&rough, &expected) && overlap(&fine, &expected), "{rough:?} {fine:?} {expected:?}");
+            prop_assert!(attains(&asked, [&a, &b], &spot));
             prop_assert!(!fine.hi().is_finite() || (&fine - &Real::from(fine.mid())).is_within(-48));
         }
         for (x, y) in integers {
@@ -131,6 +144,27 @@ proptest! {
             prop_assert!((distance.mid() - expected.max(0.0)).abs() < 16.0 * 51f64.exp2().recip());
             prop_assert!((&distance - &Real::from(distance.mid())).is_within(-50));
             prop_assert_eq!(asked.state(&spot), if expected > 0.0 { State::Free } else { State::Blocked });
+        }
+    }
+
+    #[test]
+    fn a_place_known_badly_gets_an_answer_that_holds_for_all_of_it(
+        a in bulged(), hole in prop::bool::weighted(0.5), b in bulged(), size in -4..1i32, points in points(2.5), step in (-1.0..1.0f64, -1.0..1.0f64)
+    ) {
+        let a = if hole { complement(&a) } else { a };
+        let quarter = |c: &Corner| Corner { x: 0.25 * c.x, y: 0.25 * c.y, ..*c };
+        let b = region(vec![b.loops[0].iter().map(quarter).collect()]);
+        let asked = membership(&a, &b);
+        for (x, y) in points {
+            let at = move |part: f64| (x + part * step.0 * f64::from(size).exp2(), y + part * step.1 * f64::from(size).exp2());
+            let vague = Spot::new(move |p| hull(&Vector::new(at(0.0).0, at(0.0).1, p), &Vector::new(at(1.0).0, at(1.0).1, p)));
+            let (state, distance) = (asked.state_within(&vague, LIMIT), asked.distance(&vague, Precision::DOUBLE));
+            for part in 0..=4 {
+                let (x, y) = at(f64::from(part) / 4.0);
+                let one = Spot::exact(x, y);
+                prop_assert!(state == State::Undecided || state == asked.state(&one));
+                prop_assert!(overlap(&distance, &asked.distance(&one, Precision::DOUBLE)));
+            }
         }
     }
 

@@ -105,9 +105,6 @@ fn passes(piece: &Piece, end: &Vector, point: &Vector) -> Option<i32> {
     if sides == [Some(Ordering::Less); 2] {
         return Some(0);
     }
-    if level == [true; 2] {
-        return None;
-    }
     let right = is_right_of(piece, end, point)?;
     let side = if right { Ordering::Greater } else { Ordering::Less };
     let agree = (0..2).all(|joint| !level[joint] || sides[joint] == Some(side));

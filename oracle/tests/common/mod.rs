@@ -3,6 +3,7 @@
 
 pub mod outline;
 
+use arcsum_oracle::certified::vector::Vector;
 use arcsum_oracle::enclose::{Enclosure, enclose};
 use arcsum_oracle::number::Number;
 use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
@@ -133,4 +134,9 @@ pub fn bulged() -> impl Strategy<Value = PlainRegion> {
 /// Polygons inside and around a region.
 pub fn enclosed(region: &PlainRegion, pieces: usize) -> Enclosure<rug::Rational> {
     enclose(region, pieces).expect("the test's region is sound")
+}
+
+/// The box around two points.
+pub fn hull(a: &Vector, b: &Vector) -> Vector {
+    Vector { x: a.x.hull(&b.x), y: a.y.hull(&b.y) }
 }
