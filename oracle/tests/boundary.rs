@@ -216,6 +216,21 @@ proptest! {
         check(&b, &mirrored(&stepped(step)))?;
     }
 
+    /// A slit between two rectangles and something small that passes through it or fills it, wherever it is.
+    #[test]
+    fn slits_agree(b in prop_oneof![columns(), radial(3..6)], k in 4i32..70, size in 0.1..1.5f64) {
+        let slit = f64::from(-k).exp2();
+        let left = [(-1.0, -0.5), (-slit, -0.5), (-slit, 0.75), (-1.0, 0.75)];
+        let right = [(slit, -0.75), (0.5, -0.75), (0.5, 0.5), (slit, 0.5)];
+        let slit = plain(&[&left, &right]);
+        let mut small = b.clone();
+        for corner in small.loops.iter_mut().flatten() {
+            (corner.x, corner.y) = (f64::from(-k).exp2() * size * corner.x, f64::from(-k).exp2() * size * corner.y);
+        }
+        check(&slit, &small)?;
+        check(&complement(&small), &slit)?;
+    }
+
     #[test]
     fn grids_agree(a in cells(3), b in cells(2), outside in any::<bool>()) {
         let a = if outside { complement(&a) } else { a };
