@@ -24,7 +24,7 @@ fn shape(region: &PlainRegion) -> Shape {
 fn walk(a: &PlainRegion, b: &PlainRegion) -> Boundary {
     let boundary = boundary(&shape(a), &shape(b), Budget::NONE).expect("no budget");
     boundary.check_closed().expect("closed");
-    assert!(boundary.undecided.is_empty() && boundary.blur < 1e-26);
+    assert!(boundary.undecided.is_empty() && boundary.blur < 1e-20);
     boundary
 }
 
@@ -78,8 +78,22 @@ fn rounded() -> impl Strategy<Value = PlainRegion> {
     })
 }
 
-/// Two regions: random ones, degenerate ones, or a degenerate one and itself turned by half a turn.
-fn pair() -> impl Strategy<Value = (PlainRegion, PlainRegion)> {
+/// The region with every number moved by a few units in the last place.
+fn shaken(region: &PlainRegion, shakes: &[i8]) -> PlainRegion {
+    let mut shakes = shakes.iter().cycle().map(|&k| f64::from(k) * f64::from(-51).exp2());
+    let mut shake = |number: f64| number + shakes.next().expect("endless");
+    let mut region = region.clone();
+    for corner in region.loops.iter_mut().flatten() {
+        (corner.x, corner.y) = (shake(corner.x), shake(corner.y));
+        if let Bend::Bulge(bulge) = corner.bend {
+            corner.bend = Bend::Bulge(shake(bulge));
+        }
+    }
+    region
+}
+
+/// Two regions: random ones, degenerate ones, or one and itself turned by half a turn.
+fn exact_pair() -> impl Strategy<Value = (PlainRegion, PlainRegion)> {
     prop_oneof![
         (bulgy(), bulgy()),
         (bulgy(), rounded()),
@@ -89,12 +103,21 @@ fn pair() -> impl Strategy<Value = (PlainRegion, PlainRegion)> {
     ]
 }
 
+/// The same, or a degenerate one and nearly itself turned by half a turn.
+fn pair() -> impl Strategy<Value = (PlainRegion, PlainRegion)> {
+    let shakes = prop::collection::vec(-2i8..=2, 30);
+    prop_oneof![
+        4 => exact_pair(),
+        1 => (rounded(), shakes).prop_map(|(a, shakes)| (shaken(&a, &shakes), mirrored(&a))),
+    ]
+}
+
 fn points(n: usize) -> impl Strategy<Value = Vec<(f64, f64)>> {
     prop::collection::vec((-4.0..7.0f64, -5.0..5.0f64), n)
 }
 
 proptest! {
-    #![proptest_config(common::cases(300))]
+    #![proptest_config(common::cases(150))]
 
     /// The boundary winds once around what is blocked and not around what is free.
     #[test]
@@ -121,7 +144,7 @@ proptest! {
     }
 
     #[test]
-    fn sums_move_and_scale_with_their_operands((a, b) in pair(), x in -4i32..=4, y in -4i32..=4, k in -3i32..=1) {
+    fn sums_move_and_scale_with_their_operands((a, b) in exact_pair(), x in -4i32..=4, y in -4i32..=4, k in -3i32..=1) {
         let (x, y, scale) = (f64::from(x) / 4.0, f64::from(y) / 4.0, f64::from(k).exp2());
         let image = walk(&mapped(&a, |u, v| (scale * (u + x), scale * (v + y))), &mapped(&b, |u, v| (scale * u, scale * v)));
         let whole = walk(&a, &b);
@@ -274,6 +297,26 @@ fn cusps_are_corners() {
     }
 }
 
+/// The region between three half circles has a cusp at each corner, exactly, and the square around it three notches.
+#[test]
+fn exact_cusps_are_corners() {
+    let cusped = vec![corner(1.0, 0.0, 1.0), corner(-1.0, 0.0, -1.0), corner(-0.25, 0.0, -1.0)];
+    let notched = common::complement(&region(vec![cusped.clone()])).loops.remove(0);
+    let around = common::rectangle(-2.0, -2.0, 2.0, 2.0);
+    let small = region(vec![vec![corner(-0.125, 0.0, 1.0), corner(0.125, 0.0, 0.0)]]);
+    for a in [region(vec![cusped.clone()]), region(vec![around, notched])] {
+        for b in [small.clone(), mirrored(&small), region(vec![cusped.clone()]), region(vec![disc(0.0, 0.0, 0.375)])] {
+            let membership = Membership::new(&shape(&a), &shape(&b));
+            let found = edges(&walk(&a, &b));
+            for k in 0..400 {
+                let (x, y) = (-2.0 + 0.2001 * f64::from(k % 20), -2.0 + 0.2003 * f64::from(k / 20));
+                let blocked = membership.state(&Spot::exact(x, y)) == State::Blocked;
+                assert!(winds(&found, x, y).is_none_or(|number| (number == 1) == blocked), "at ({x}, {y})");
+            }
+        }
+    }
+}
+
 /// Stadiums with parallel sides: tangent joints, and arcs that continue each other.
 #[test]
 fn stadiums_add_up() {
@@ -295,7 +338,10 @@ proptest! {
     fn a_boundary_with_a_wrong_edge_is_not_closed((a, b) in pair(), k in any::<prop::sample::Index>(), c in radial(3..6)) {
         for b in [b, c] {
             let mut found = walk(&a, &b);
-            let k = k.index(found.edges.len());
+            // Not among those that a cluster may swallow.
+            let long = |k: &usize| found.edges[*k].curve.rough().chord().length().lo() > 1e-12;
+            let edges: Vec<usize> = (0..found.edges.len()).filter(long).collect();
+            let k = *k.get(&edges);
             found.edges.push(found.edges[k].clone());
             prop_assert!(found.check_closed().is_err());
             found.edges.pop();

@@ -21,7 +21,7 @@ use super::spot::Spot;
 use super::stretch::{along, beside, fraction, stretch};
 use super::sums::{Sum, sums};
 use super::vector::Vector;
-use super::walk::{Cluster, Walk, middle};
+use super::walk::{Cluster, OBSCURE, Walk, middle};
 use crate::boxes::{Boxes, Extent};
 use crate::error::{Budget, OracleError};
 
@@ -43,9 +43,11 @@ pub struct Boundary {
     pub sums: Vec<Sum>,
     /// The stretches that are certainly boundary, each part of the boundary once.
     pub edges: Vec<Edge>,
-    /// The stretches that are boundary or inside E, unknown which.
+    /// The stretches of which it is unknown whether they are boundary or inside E, or which parts of them: probes that
+    /// could not be decided, and clusters longer than two to the power of [`OBSCURE`].
     pub undecided: Vec<Edge>,
-    /// No cluster at the end of an edge is longer than this, in input units.
+    /// No other cluster is longer than this, in input units: how well the ends of edges are known, and how long the
+    /// edges may be that are missing.
     pub blur: f64,
     /// What it took.
     pub effort: Effort,
@@ -105,6 +107,9 @@ impl Boundary {
     /// Adds the stretches of a curve that belong to the boundary.
     fn add(&mut self, mut walk: Walk, field: &Field, membership: &Membership) {
         let clusters = std::mem::take(&mut walk.clusters);
+        for cluster in clusters.iter().filter(|cluster| cluster.crossing().is_none()) {
+            self.pass(&walk, cluster);
+        }
         for pair in clusters.windows(2) {
             self.effort.gaps += 1;
             let side = self.right_of(&walk, [&pair[0], &pair[1]], field, membership);
@@ -115,6 +120,17 @@ impl Boundary {
             if side == Side::Free { self.edges.push(edge) } else { self.undecided.push(edge) }
         }
         self.effort.bits = self.effort.bits.max(walk.finest.bits());
+    }
+
+    /// Notes the length of a cluster at which other curves may do more than cross.
+    fn pass(&mut self, walk: &Walk, cluster: &Cluster) {
+        let length = walk.length(cluster);
+        if length < f64::from(OBSCURE).exp2() {
+            self.blur = self.blur.max(length);
+            return;
+        }
+        let curve = Arc::new(stretch(walk.curve(), [cluster.low.clone(), cluster.high.clone()]));
+        self.undecided.push(Edge { sum: walk.index, curve, ends: [cluster.place(), cluster.place()] });
     }
 
     fn right_of(&mut self, walk: &Walk, ends: [&Cluster; 2], field: &Field, membership: &Membership) -> Side {
@@ -140,12 +156,10 @@ impl Boundary {
     /// The stretch between two clusters, which are made as small as can be.
     fn edge(&mut self, walk: &mut Walk, ends: [&Cluster; 2]) -> Edge {
         let ends = ends.map(|cluster| walk.refined(cluster));
-        let length = walk.curve().rough().chord().length().hi();
         for cluster in &ends {
-            self.blur = self.blur.max(cluster.size().to_f64() * length);
+            self.blur = self.blur.max(walk.length(cluster));
         }
-        let whole = &self.sums[walk.index].curve;
-        let curve = Arc::new(stretch(whole, [ends[0].fraction(), ends[1].fraction()]));
+        let curve = Arc::new(stretch(walk.curve(), [ends[0].fraction(), ends[1].fraction()]));
         Edge { sum: walk.index, curve, ends: [ends[0].place(), ends[1].place()] }
     }
 }

@@ -11,9 +11,9 @@ use super::real::Real;
 use super::vector::Vector;
 
 /// Carriers that come closer than two to this power are treated as touching there.
-pub const ZONE: i32 = -200;
+pub const ZONE: i32 = -300;
 /// Carriers that agree to two to this power are treated as the same.
-pub const SAME: i32 = -400;
+pub const SAME: i32 = -450;
 
 /// The places where two carriers come within the zone of each other, each with a box around all of it.
 pub(super) enum Places {

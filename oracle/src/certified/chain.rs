@@ -1,11 +1,13 @@
 //! Whether the stretches of a boundary close up: where some arrive, as many leave.
 //!
-//! Stretches meet in places, the clusters at their ends; places with a point in common count as one. A boundary that misses
-//! a stretch or has one too many is out of balance at the ends of it.
+//! Stretches meet in places, the clusters at their ends. Places nearer to each other than a few clusters count as one, since
+//! a stretch may be swallowed by a cluster of its own curve while its neighbours are not. A boundary that misses a longer
+//! stretch or has one too many is out of balance at the ends of it.
 
 use super::boundary::{Boundary, Edge};
 use super::real::Real;
 use super::vector::Vector;
+use super::walk::CLUSTER;
 use crate::boxes::{Boxes, Extent};
 use crate::error::OracleError;
 
@@ -95,10 +97,16 @@ fn groups(places: &[&Vector]) -> Result<Vec<usize>, OracleError> {
 }
 
 fn extent(place: &Vector) -> Extent {
-    Extent { ends: [place.x.lo(), place.y.lo(), place.x.hi(), place.y.hi()] }
+    let [low, high] = [|c: &Real| (c.lo() - reach()).next_down(), |c: &Real| (c.hi() + reach()).next_up()];
+    Extent { ends: [low(&place.x), low(&place.y), high(&place.x), high(&place.y)] }
+}
+
+/// The distance within which places count as one.
+fn reach() -> f64 {
+    f64::from(CLUSTER + 2).exp2()
 }
 
 fn overlap(a: &Vector, b: &Vector) -> bool {
-    let meets = |a: &Real, b: &Real| !a.is_below(b) && !b.is_below(a);
-    meets(&a.x, &b.x) && meets(&a.y, &b.y)
+    let near = |a: &Real, b: &Real| !(a + reach()).is_below(b) && !(b + reach()).is_below(a);
+    near(&a.x, &b.x) && near(&a.y, &b.y)
 }

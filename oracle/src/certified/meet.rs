@@ -14,7 +14,7 @@ use super::vector::Vector;
 pub use super::carriers::{SAME, ZONE};
 
 /// Contacts smaller than two to this power need not be known any better.
-pub const CLUSTER: i32 = -88;
+pub const FINE: i32 = -90;
 /// The precision at which a contact is taken as it is, however large.
 pub const LIMIT: Precision = Precision::LADDER[4];
 
@@ -47,7 +47,7 @@ pub enum Meeting {
 }
 
 /// How two pieces, known to this precision, meet. Doubles give only certain crossings; finer numbers also contacts with
-/// boxes smaller than two to the power of [`CLUSTER`], and [`LIMIT`] everything but carriers that are neither apart nor
+/// boxes smaller than two to the power of [`FINE`], and [`LIMIT`] everything but carriers that are neither apart nor
 /// the same.
 #[must_use]
 pub fn meet(first: &Piece, second: &Piece, precision: Precision) -> Meeting {
@@ -87,7 +87,7 @@ fn are_far(first: &Piece, second: &Piece) -> bool {
 
 /// Whether a contact is known well enough to be one.
 fn is_fine(place: &Vector, precision: Precision) -> bool {
-    let small = || [&place.x, &place.y].into_iter().all(|c| spread(c).is_within(CLUSTER));
+    let small = || [&place.x, &place.y].into_iter().all(|c| spread(c).is_within(FINE));
     precision >= LIMIT || (precision > Precision::DOUBLE && small())
 }
 

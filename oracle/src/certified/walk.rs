@@ -1,7 +1,7 @@
 //! One curve among the others: its contacts in order, gathered into clusters.
 //!
 //! Places on a curve are fractions of its chord (see [`super::stretch`]). Contacts whose fractions overlap are refined until
-//! they separate or their cluster is smaller than two to the power of [`CLUSTER`]. Outside the clusters every other curve
+//! they separate or their cluster is shorter than two to the power of [`CLUSTER`]. Outside the clusters every other curve
 //! is farther away than the zone, except curves with the same carrier.
 
 use std::cmp::Ordering;
@@ -11,12 +11,18 @@ use std::sync::Arc;
 use rug::Float;
 
 use super::curve::Curve;
-use super::meet::{CLUSTER, LIMIT, Meeting, meet};
+use super::meet::{LIMIT, Meeting, meet};
 use super::piece::Piece;
 use super::precision::Precision;
 use super::real::Real;
 use super::vector::Vector;
 use crate::interval::Interval;
+
+/// Clusters shorter than two to this power need not be known any better. A single contact that [`meet`] reports is.
+pub const CLUSTER: i32 = -88;
+/// Clusters longer than two to this power hide too much. Touching curves make clusters of about √(Z r) for the zone Z and
+/// the radius r of their difference in curvature: that allows for r up to 2^160.
+pub const OBSCURE: i32 = -66;
 
 /// A contact of the curve with another one, or an end of the curve.
 #[derive(Clone, Debug)]
@@ -123,13 +129,27 @@ impl<'a> Walk<'a> {
         Vec::new()
     }
 
+    /// The length of a cluster, in input units.
+    #[must_use]
+    pub fn length(&self, cluster: &Cluster) -> f64 {
+        // In doubles the chord of a tiny curve may be known to no digit.
+        let chord = |p: Precision| self.curve().at(p).chord().length();
+        let known = LIMIT.decide(|p| Some(chord(p)).filter(|length| length.hi() < 2.0 * length.lo()));
+        cluster.size().to_f64() * known.unwrap_or_else(|| chord(LIMIT)).hi()
+    }
+
+    /// Whether a cluster is as short as it needs to be.
+    fn is_small(&self, cluster: &Cluster) -> bool {
+        self.length(cluster) < f64::from(CLUSTER).exp2()
+    }
+
     /// Refines the contacts of clusters that are too large, and gathers them anew.
     fn separate(&mut self) {
         loop {
             let coarse: BTreeMap<usize, Precision> = self
                 .clusters
                 .iter()
-                .filter(|cluster| cluster.touches.len() > 1 && !cluster.is_small())
+                .filter(|cluster| cluster.touches.len() > 1 && !self.is_small(cluster))
                 .flat_map(Cluster::coarse)
                 .collect();
             if coarse.is_empty() {
@@ -149,7 +169,7 @@ impl<'a> Walk<'a> {
     #[must_use]
     pub fn refined(&mut self, cluster: &Cluster) -> Cluster {
         let mut cluster = cluster.clone();
-        while !cluster.is_small() {
+        while !self.is_small(&cluster) {
             let coarse: Vec<_> = cluster.coarse().collect();
             let Some(&(other, precision)) = coarse.first() else { break };
             let finer = self.touches(other, finer(precision));
@@ -166,15 +186,8 @@ impl<'a> Walk<'a> {
 }
 
 impl Cluster {
-    /// Whether it is smaller than two to the power of [`CLUSTER`] chords.
-    #[must_use]
-    pub fn is_small(&self) -> bool {
-        self.size() < Float::with_val(53, f64::from(CLUSTER).exp2())
-    }
-
     /// Its length as a fraction of the chord.
-    #[must_use]
-    pub fn size(&self) -> Float {
+    fn size(&self) -> Float {
         Float::with_val(53, &self.high - &self.low)
     }
 

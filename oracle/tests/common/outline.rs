@@ -14,29 +14,31 @@ use arcsum_oracle::plain::PlainRegion;
 /// The precision at which edges are compared.
 pub const FINE: Precision = Precision::LADDER[2];
 
-/// The boundary pieces of a region.
+/// The boundary pieces of a region. In intervals of doubles nearly flat arcs would be unknown.
 pub fn sides(region: &PlainRegion) -> Vec<Piece> {
     let shape = Shape::new(region).expect("valid numbers");
-    shape.sides().map(|side| side.curve.rough().clone()).collect()
+    shape.sides().map(|side| side.curve.at(FINE).clone()).collect()
 }
 
 /// The edges of a boundary.
 pub fn edges(boundary: &Boundary) -> Vec<Piece> {
-    boundary.edges.iter().map(|edge| edge.curve.rough().clone()).collect()
+    boundary.edges.iter().map(|edge| edge.curve.at(FINE).clone()).collect()
 }
 
-/// The signed angle from the start of an arc to its end; 0 for a line.
-fn sweep(piece: &Piece) -> f64 {
-    let Some(circle) = &piece.circle else { return 0.0 };
-    let [p, q] = [&piece.from, &piece.to].map(|end| (end - &circle.centre).nearest());
-    (p.0 * q.1 - p.1 * q.0).atan2(p.0 * q.0 + p.1 * q.1)
+/// The length of the chord, the radius (infinite for a line) and the angle of an arc, positive counter-clockwise.
+fn sweep(piece: &Piece) -> (f64, f64, f64) {
+    let chord = piece.chord().length().mid();
+    let Some(circle) = &piece.circle else { return (chord, f64::INFINITY, 0.0) };
+    let radius = circle.radius.mid();
+    let angle = 2.0 * (0.5 * chord / radius).min(1.0).asin();
+    (chord, radius, if circle.left { angle } else { -angle })
 }
 
 /// The total length.
 pub fn length(pieces: &[Piece]) -> f64 {
-    let one = |piece: &Piece| match &piece.circle {
-        None => piece.chord().length().mid(),
-        Some(circle) => circle.radius.mid() * sweep(piece).abs(),
+    let one = |piece: &Piece| match sweep(piece) {
+        (chord, _, 0.0) => chord,
+        (_, radius, angle) => radius * angle.abs(),
     };
     pieces.iter().map(one).sum()
 }
@@ -45,8 +47,10 @@ pub fn length(pieces: &[Piece]) -> f64 {
 pub fn area(pieces: &[Piece]) -> f64 {
     let one = |piece: &Piece| {
         let triangle = 0.5 * piece.from.cross(&piece.to).mid();
-        let angle = sweep(piece);
-        let cap = piece.circle.as_ref().map_or(0.0, |c| 0.5 * c.radius.mid().powi(2) * (angle - angle.sin()));
+        let cap = match sweep(piece) {
+            (chord, radius, angle) if angle.abs() < 1e-4 => chord.powi(3) / (12.0 * radius) * angle.signum(),
+            (_, radius, angle) => 0.5 * radius * radius * (angle - angle.sin()),
+        };
         triangle + cap
     };
     pieces.iter().map(one).sum()
