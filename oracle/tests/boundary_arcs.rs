@@ -10,10 +10,12 @@ use arcsum_oracle::certified::membership::{Membership, State};
 use arcsum_oracle::certified::real::Real;
 use arcsum_oracle::certified::shape::Shape;
 use arcsum_oracle::certified::spot::Spot;
+use arcsum_oracle::certified::stretch::along;
+use arcsum_oracle::certified::sums::sums;
 use arcsum_oracle::certified::vector::Vector;
 use arcsum_oracle::error::Budget;
 use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
-use common::outline::{area, distance, edges, is_simple, length, runs_along, sides, winds};
+use common::outline::{FINE, area, distance, edges, is_simple, length, runs_along, sides, winds};
 use common::{disc, radial};
 use proptest::prelude::*;
 
@@ -117,7 +119,7 @@ fn points(n: usize) -> impl Strategy<Value = Vec<(f64, f64)>> {
 }
 
 proptest! {
-    #![proptest_config(common::cases(150))]
+    #![proptest_config(common::cases(120))]
 
     /// The boundary winds once around what is blocked and not around what is free.
     #[test]
@@ -132,6 +134,31 @@ proptest! {
             };
             if let Some(number) = winds(&found, x, y) {
                 prop_assert_eq!(number, expected, "at ({}, {})", x, y);
+            }
+        }
+    }
+
+    /// Sum curves consist of points of the sum, and its inside is on their left.
+    #[test]
+    fn sum_curves_have_the_inside_on_their_left((a, b) in pair()) {
+        let (a, b) = (shape(&a), shape(&b));
+        let membership = Membership::new(&a, &b);
+        for sum in sums(&a, &b) {
+            for part in [(&a, &sum.first), (&b, &sum.second)] {
+                prop_assert!(part.1.side < part.0.loops[part.1.ring].len());
+            }
+            let chord = sum.curve.rough().chord().length().lo();
+            let spot = |left: f64| {
+                let curve = sum.curve.clone();
+                Spot::new(move |p| {
+                    let piece = curve.at(p);
+                    let point = along(piece, &Real::from(0.4375));
+                    &point + &(&piece.tangent(&point).unit().left() * &Real::from(left))
+                })
+            };
+            prop_assert!(!membership.distance(&spot(0.0), FINE).is_positive());
+            if chord > 1e-6 {
+                prop_assert_eq!(membership.state(&spot(f64::from(-60).exp2())), State::Blocked);
             }
         }
     }
