@@ -16,7 +16,7 @@ use crate::error::{Budget, OracleError};
 use crate::interval::Interval;
 use crate::number::Number;
 use crate::point::{Place, Point, area_exact, area_interval, cross_sign, dot_sign, orient};
-use crate::region::ring_edges;
+use crate::region::{ExactRegion, ring_edges};
 
 /// A directed piece of boundary, the inside on its left.
 pub type Edge<Q> = (Point<Q>, Point<Q>);
@@ -59,6 +59,16 @@ impl<Q: Number> Curves<Q> {
     pub fn ring(&mut self, ring: impl IntoIterator<Item = Point<Q>>, layer: usize) {
         let numbers: Vec<usize> = ring.into_iter().map(|point| self.place(point)).collect();
         ring_edges(&numbers).for_each(|(&tail, &head)| self.segment(tail, head, layer));
+    }
+
+    /// The boundaries of regions, one layer each.
+    #[must_use]
+    pub fn of_regions<const L: usize>(regions: [&ExactRegion<Q>; L]) -> Self {
+        let mut curves = Self::default();
+        for (layer, region) in regions.into_iter().enumerate() {
+            region.loops().iter().for_each(|ring| curves.ring(ring.iter().cloned(), layer));
+        }
+        curves
     }
 
     /// The number of segments.
