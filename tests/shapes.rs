@@ -153,13 +153,15 @@ pub fn turned_copies(region: impl Strategy<Value = Region>) -> impl Strategy<Val
     })
 }
 
-/// A valid region of grid cells, each empty, full or cut along a diagonal: holes, parts and pinches, coinciding edges.
-pub fn cells(side: usize) -> impl Strategy<Value = Region> {
-    prop::collection::vec(
-        prop_oneof![3 => Just(None), 4 => Just(Some(4)), 2 => (0..4_usize).prop_map(Some)],
-        side * side,
-    )
-    .prop_filter_map("not valid", move |missing| {
+/// A valid region of grid cells, each empty, full or, with `halves`, cut along a diagonal: holes, parts and pinches,
+/// coinciding edges.
+pub fn cells(side: usize, halves: bool) -> impl Strategy<Value = Region> {
+    let missing = (0..if halves { 11 } else { 7_usize }).prop_map(|k| match k {
+        0..=2 => None,
+        3..=6 => Some(4),
+        _ => Some(k - 7),
+    });
+    prop::collection::vec(missing, side * side).prop_filter_map("not valid", move |missing| {
         let cell = |(k, missing): (usize, &Option<usize>)| missing.map(|corner| cell(k % side, k / side, corner));
         let loops = missing.iter().enumerate().filter_map(cell).collect();
         let outline: ExactRegion<Rational> = ExactRegion::from_plain(&PlainRegion { loops, unbounded: false }).ok()?;
