@@ -251,7 +251,7 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
             ending.extend(hit.map(|place| self.status.curve(place)));
             around
         } else {
-            self.gather(&ending)
+            self.gather(&mut ending)
         };
         let block = self.absorb(&mut around, &mut ending);
         self.cut(&ending, vertex, &mut starting);
@@ -288,13 +288,20 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
         })
     }
 
-    /// Brings the places of the ending curves together by swapping strangers out towards the nearer side. Returns the places
-    /// around all that was touched.
-    fn gather(&mut self, ending: &[u32]) -> [Place; 2] {
-        for curve in ending {
+    /// Brings the places of the ending curves together by swapping strangers out towards the nearer side. Lines among the
+    /// strangers that pass through the point are no strangers: they end here, too, or an exact meeting of several would come
+    /// out as several vertices. Returns the places around all that was touched.
+    fn gather(&mut self, ending: &mut Vec<u32>) -> [Place; 2] {
+        for curve in ending.iter() {
             self.is_ending[*curve as usize] = true;
         }
         let range = self.range_of(ending);
+        for curve in range.iter().map(|place| self.status.curve(*place)) {
+            if !self.is_ending[curve as usize] && self.passes(curve) {
+                self.is_ending[curve as usize] = true;
+                ending.push(curve);
+            }
+        }
         let around = [self.status.near(range[0], DOWN), self.status.near(range[range.len() - 1], UP)];
         if range.len() > ending.len() {
             self.swap_strangers_out(&range, ending.len());
