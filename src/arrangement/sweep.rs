@@ -228,12 +228,24 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
         self.since_now(below);
     }
 
-    /// The current point moved into the boxes of two curves. Among curves that rise by much within a few units in the last
-    /// place of x, neighbours in the status may be far from an event in y.
+    /// The current abscissa, and the ordinate nearest to the current one where two curves meet or are closest there, up to
+    /// rounding of x. Among curves that rise by much within a few units in the last place of x, neighbours in the status may
+    /// be far from an event in y.
     fn near_both(&self, f: u32, g: u32) -> DVec2 {
-        let (f, g) = (self.curves[f as usize].y_range(), self.curves[g as usize].y_range());
-        let (low, high) = (f.0.max(g.0), f.1.min(g.1));
-        DVec2::new(self.now.x, if low <= high { self.now.y.clamp(low, high) } else { self.now.y })
+        let (f, g) = (self.heights_now(f), self.heights_now(g));
+        let (p, q) = (f.0.max(g.0), f.1.min(g.1));
+        DVec2::new(self.now.x, self.now.y.clamp(p.min(q), p.max(q)))
+    }
+
+    /// The ordinates of a curve at the current abscissa up to rounding.
+    fn heights_now(&self, curve: u32) -> (f64, f64) {
+        let curve = &self.curves[curve as usize];
+        if curve.is_vertical() {
+            return curve.y_range();
+        }
+        let tolerance = self.module.tolerance();
+        let [p, q] = [-tolerance, tolerance].map(|d| curve.y_at((self.now.x + d).clamp(curve.left.x, curve.right.x)));
+        (p.min(q), p.max(q))
     }
 
     // ---- vertices ----
