@@ -307,3 +307,22 @@ fn an_edge_between_edges_that_end_on_it_meets_them_in_one_vertex() {
     assert_eq!(validate(&union), Ok(()));
     check_integers(&a, &lack.complement(), 4).expect("within the bounds");
 }
+
+/// Left sides that rise and fall within three units in the last place of x, so that one crosses the other where it likes. Once
+/// the crossing with the edge that follows was put at the far end of that edge's box.
+#[test]
+fn crossings_of_steep_edges_are_in_their_place() {
+    let a = lines(&[&[
+        (0.11764705882352941, -1.4809684843062674),
+        (0.17647058823529413, -1.4809684843062674),
+        (0.17647058823529413, 1.3668511791148275),
+        (0.11764705882352937, 1.3668511791148277),
+    ]]);
+    let b = lines(&[&[
+        (0.1176470588235294, -0.1),
+        (0.17647058823529413, -0.19728475085999608),
+        (0.17647058823529418, 0.6742523580193857),
+        (0.11764705882352938, 0.3281320373003323),
+    ]]);
+    check(&a, &b).expect("within the bounds");
+}
