@@ -4,11 +4,12 @@
 //! output may have loops that cross by a few eps.
 
 use crate::arrangement::arrange;
+use crate::boundary::Boundary;
 use crate::extract::{outline, region};
 use crate::frame::Frame;
 use crate::piece::Pieces;
 use crate::region::Region;
-use crate::smooth::{Smooth, SmoothError};
+use crate::smooth::SmoothError;
 
 /// A regularised set operation on two regions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,8 +37,8 @@ impl Operation {
     }
 }
 
-/// The result of a set operation on two valid regions, in input units. The complement of a region needs no arrangement:
-/// [`Region::complement`].
+/// The result of a set operation on two regions, valid or results themselves, in input units. The complement of a region
+/// needs no arrangement: [`Region::complement`].
 ///
 /// # Errors
 /// [`SmoothError`] if a segment has no geometry.
@@ -45,7 +46,7 @@ pub fn combine(operation: Operation, a: &Region, b: &Region) -> Result<Region, S
     let frame = Frame::shared(&[a, b]);
     let mut pieces = Pieces::default();
     for (operand, region) in [a, b].into_iter().enumerate() {
-        add(&mut pieces, &Smooth::new(region, &frame)?, operand as u8);
+        add(&mut pieces, &Boundary::new(region, &frame)?, operand as u8);
         pieces.base[operand] = i32::from(region.unbounded);
     }
     let arrangement = arrange(&pieces);
@@ -54,10 +55,10 @@ pub fn combine(operation: Operation, a: &Region, b: &Region) -> Result<Region, S
 }
 
 /// Adds the boundary of a region as pieces of one operand.
-fn add(pieces: &mut Pieces, smooth: &Smooth, operand: u8) {
+fn add(pieces: &mut Pieces, boundary: &Boundary, operand: u8) {
     let first = pieces.points.len() as u32;
-    pieces.points.extend(&smooth.points);
-    pieces.pieces.extend(smooth.pieces(operand).into_iter().map(|mut piece| {
+    pieces.points.extend(&boundary.points);
+    pieces.pieces.extend(boundary.pieces(operand).into_iter().map(|mut piece| {
         piece.tail += first;
         piece.head += first;
         piece.source.second = u32::from(operand);

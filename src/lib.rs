@@ -9,6 +9,7 @@ pub mod angle;
 pub mod arc;
 pub mod arrangement;
 pub mod boolean;
+pub mod boundary;
 pub mod convolution;
 pub mod errata;
 pub mod exact;

@@ -1,16 +1,15 @@
 //! Smoothed regions: lines, monotone circle segments and the turns between them (MS 2, MS 4.1; memo A3, A4, A7).
 //!
-//! [`Smooth::new`] scales a region to its frame, computes all normal angles once, makes tangential joints agree
-//! ([`crate::joint`]), splits arcs at the axis normals and puts a turn wherever the angle jumps. Every segment starts
-//! at the vertex and at the angle where the one before it ended, whatever the rounding.
+//! [`Smooth::new`] takes the lines and monotone arcs of a region ([`crate::boundary`]), puts a turn wherever the angle jumps
+//! and sorts the loops into connected parts. Every segment starts at the vertex and at the angle where the one before it
+//! ended, whatever the rounding.
 
 use crate::angle::Ang;
 use crate::arc::{Arc, ArcError};
+use crate::boundary::{Boundary, MAX_EXPONENT};
 use crate::frame::Frame;
-use crate::joint::{self, Edge};
 use crate::nesting;
-use crate::piece::{Piece, Source};
-use crate::region::{Node, Region};
+use crate::region::Region;
 use crate::turn::{Bend, turn};
 use glam::DVec2;
 
@@ -80,7 +79,7 @@ pub struct Smooth {
     pub counts: Counts,
 }
 
-/// How often [`Smooth::new`] changed the input within rounding.
+/// How often [`Boundary::new`] changed the input within rounding.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
     /// Arcs replaced by their secants because both end angles are equal (MS 4.1, input modification 1).
@@ -141,12 +140,6 @@ pub enum SmoothError {
     TooFar,
 }
 
-/// The most input edges a region may have: each yields at most five pieces.
-const MAX_EDGES: usize = (u32::MAX / 8) as usize;
-
-/// The largest exponent of a frame: coordinates of sums stay finite.
-const MAX_EXPONENT: i32 = 1000;
-
 impl Smooth {
     /// The region in units of the frame. A loop that turns counter-clockwise is an outer one, else a hole.
     ///
@@ -154,48 +147,22 @@ impl Smooth {
     /// [`SmoothError`] if the region is degenerate beyond what can be smoothed. That none is returned does not make the
     /// region valid: crossings between edges go unnoticed.
     pub fn new(region: &Region, frame: &Frame) -> Result<Self, SmoothError> {
-        if region.segments() > MAX_EDGES {
-            return Err(SmoothError::TooLarge);
-        }
-        if frame.exp > MAX_EXPONENT {
-            return Err(SmoothError::TooFar);
-        }
-        let point = |n: &Node| frame.to_unit(DVec2::new(n.x, n.y));
-        let points = region.loops.iter().flatten().map(point).collect();
-        let mut builder = Builder { points, counts: Counts::default() };
+        let Boundary { points, loops: boundary, counts } = Boundary::new(region, frame)?;
         let (mut loops, mut outer, mut first) = (Vec::new(), Vec::new(), 0);
-        for (index, nodes) in region.loops.iter().enumerate() {
-            let segs = builder.segs(nodes, frame, first).map_err(|fault| fault.in_loop(index))?;
+        for (index, segs) in boundary.iter().enumerate() {
+            let segs =
+                with_turns(segs, &points).map_err(|edge| SmoothError::Fold { index, edge: edge as usize - first })?;
             match turning(&segs) {
                 1 => outer.push(true),
                 -1 => outer.push(false),
                 turns => return Err(SmoothError::Turning { index, turns }),
             }
-            loops.push(builder.boxed(segs));
-            first += nodes.len() as u32;
+            loops.push(boxed(segs, &points));
+            first += region.loops[index].len();
         }
-        let Builder { points, counts } = builder;
         let components = nesting::components(&points, &loops, &outer, region.unbounded)
             .map_err(|index| SmoothError::Orphan { index })?;
         Ok(Self { points, loops, components, counts })
-    }
-
-    /// The lines and arcs as pieces of an arrangement, without the turns; `source.first` is the edge. Their vertices
-    /// are [`Smooth::points`].
-    #[must_use]
-    pub fn pieces(&self, operand: u8) -> Vec<Piece> {
-        let segs = self.loops.iter().flat_map(|l| &l.segs).filter(|s| s.kind != Kind::Turn);
-        let piece = |s: &Seg| Piece {
-            tail: s.tail,
-            head: s.head,
-            a: s.a,
-            b: s.b,
-            delta: s.delta,
-            r: s.r,
-            source: Source { first: s.edge, second: 0 },
-            operand,
-        };
-        segs.map(piece).collect()
     }
 
     /// The geometry of an arc of this region. For a line or a turn it has no meaning.
@@ -216,114 +183,11 @@ fn turning(segs: &[Seg]) -> i32 {
     segs.iter().map(passage).sum()
 }
 
-/// What is wrong at an edge of a loop.
-enum Fault {
-    TooFewEdges,
-    Edge(usize, ArcError),
-    Fold(usize),
-}
-
-impl Fault {
-    fn in_loop(self, index: usize) -> SmoothError {
-        match self {
-            Self::TooFewEdges => SmoothError::TooFewEdges { index },
-            Self::Edge(edge, reason) => SmoothError::Edge { index, edge, reason },
-            Self::Fold(edge) => SmoothError::Fold { index, edge },
-        }
-    }
-}
-
-/// The vertices and counts so far.
-struct Builder {
-    points: Vec<DVec2>,
-    counts: Counts,
-}
-
-impl Builder {
-    /// The segments of a loop whose first vertex has the index `first`.
-    fn segs(&mut self, nodes: &[Node], frame: &Frame, first: u32) -> Result<Vec<Seg>, Fault> {
-        if nodes.len() < 2 {
-            return Err(Fault::TooFewEdges);
-        }
-        let mut edges = Vec::with_capacity(nodes.len());
-        for (i, node) in nodes.iter().enumerate() {
-            let next = &nodes[(i + 1) % nodes.len()];
-            let (edge, secant) = joint::edge(node, next, frame).map_err(|reason| Fault::Edge(i, reason))?;
-            self.counts.secants += u32::from(secant);
-            self.counts.modification2 += u32::from(is_bent_to_axis(&edge));
-            edges.push(edge);
-        }
-        self.counts.snapped += joint::join(&mut edges);
-        let mut segs = Vec::with_capacity(2 * nodes.len());
-        for (i, edge) in edges.iter().enumerate() {
-            let next = (i + 1) % nodes.len();
-            self.split(edge, [first + i as u32, first + next as u32], &mut segs);
-        }
-        with_turns(&segs, &self.points).map_err(|edge| Fault::Fold((edge - first) as usize))
-    }
-
-    /// Appends an edge, an arc in monotone pieces. Pieces between equal points are left out: a turn takes their place.
-    fn split(&mut self, edge: &Edge, [tail, head]: [u32; 2], segs: &mut Vec<Seg>) {
-        let (arc, r) = match *edge {
-            Edge::Line { angle, .. } => {
-                let (a, b, edge) = (angle, angle, tail);
-                segs.push(Seg { kind: Kind::Line, tail, head, a, b, delta: 0.0, r: 0.0, edge });
-                return;
-            }
-            Edge::Arc { arc, r } => (arc, r),
-        };
-        let ends = self.stations(&arc, edge.tolerance(), [tail, head]);
-        for pair in ends.windows(2) {
-            let ((a, from), (b, to)) = (pair[0], pair[1]);
-            if from != to {
-                let piece = Arc::minor(self.points[from as usize], self.points[to as usize], a, b, r < 0.0);
-                segs.push(Seg { kind: Kind::Arc, tail: from, head: to, a, b, delta: piece.delta(), r, edge: tail });
-            }
-        }
-    }
-
-    /// The angles and vertices at the ends and cuts of an arc. A first or last cut that falls on the end, or on an axis
-    /// normal within the tolerance of the end's, shares the vertex of that end.
-    fn stations(&mut self, arc: &Arc, tolerance: f64, [tail, head]: [u32; 2]) -> Vec<(Ang, u32)> {
-        let cuts = arc.cuts();
-        let at_tail = |(angle, p): &&(Ang, DVec2)| *p == arc.tail() || arc.a().turn_to(*angle).abs() <= tolerance;
-        let at_head = |(angle, p): &&(Ang, DVec2)| *p == arc.head() || arc.b().turn_to(*angle).abs() <= tolerance;
-        let first = cuts.iter().take_while(at_tail).count();
-        let last = cuts.len() - cuts[first..].iter().rev().take_while(at_head).count();
-        let mut stations = vec![(arc.a(), tail)];
-        for (i, &(angle, p)) in cuts.iter().enumerate() {
-            let vertex = match i {
-                _ if i < first => tail,
-                _ if i >= last => head,
-                _ if i > first && cuts[i - 1].1 == p => self.points.len() as u32 - 1,
-                _ => {
-                    self.points.push(p);
-                    self.points.len() as u32 - 1
-                }
-            };
-            stations.push((angle, vertex));
-        }
-        stations.push((arc.b(), head));
-        stations
-    }
-
-    fn boxed(&self, segs: Vec<Seg>) -> SmoothLoop {
-        let corners = segs.iter().map(|s| self.points[s.tail as usize]);
-        let (min, max) = corners
-            .fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(min, max): (DVec2, DVec2), p| (min.min(p), max.max(p)));
-        SmoothLoop { segs, min, max }
-    }
-}
-
-/// Input modification 2 of MS 4.1: a line that is not vertical (horizontal) but has a horizontal (vertical) normal.
-fn is_bent_to_axis(edge: &Edge) -> bool {
-    match *edge {
-        Edge::Line { tail, head, angle } => {
-            let along = if angle.axis().is_multiple_of(2) { head.x - tail.x } else { head.y - tail.y };
-            angle.is_axis() && along != 0.0
-        }
-        Edge::Arc { .. } => false,
-    }
+fn boxed(segs: Vec<Seg>, points: &[DVec2]) -> SmoothLoop {
+    let corners = segs.iter().map(|s| points[s.tail as usize]);
+    let (min, max) =
+        corners.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(min, max): (DVec2, DVec2), p| (min.min(p), max.max(p)));
+    SmoothLoop { segs, min, max }
 }
 
 /// The segments with a turn wherever the angle jumps from one to the next.

@@ -77,6 +77,45 @@ proptest! {
     }
 }
 
+/// Two steep lines cross a rounding of x away from where the lower one is at that x. Once the crossing came before a vertex
+/// between the two, which was then sorted to the wrong side.
+#[test]
+fn vertices_between_steep_lines_stay_in_order() {
+    let lines = |loops: [[(f64, f64); 4]; 2]| Region {
+        loops: loops.iter().map(|l| l.iter().map(|&(x, y)| Node::line(x, y)).collect()).collect(),
+        ..Region::default()
+    };
+    let a = lines([
+        [
+            (-2.7755575615628914e-17, -1.2084980637182077),
+            (0.05882352941176475, -0.8114318425815052),
+            (0.058823529411764705, 0.1),
+            (0.0, 0.1),
+        ],
+        [
+            (0.11764705882352945, -0.550305154273441),
+            (0.17647058823529413, -0.3776864538939966),
+            (0.17647058823529413, 0.1),
+            (0.11764705882352945, 0.1),
+        ],
+    ]);
+    let b = lines([
+        [
+            (-1.3877787807814457e-17, -0.5427509710430628),
+            (0.058823529411764705, -0.5129229654901889),
+            (0.05882352941176466, 0.711264722802702),
+            (0.0, 0.711264722802702),
+        ],
+        [
+            (0.11764705882352941, 0.05794582763062689),
+            (0.17647058823529413, 0.16493135966947106),
+            (0.17647058823529413, 0.2698899096420917),
+            (0.11764705882352941, 0.1),
+        ],
+    ]);
+    assert!(measured(&a, &b).2.hi <= BOUND);
+}
+
 // Bars are dear to judge.
 proptest! {
     #![proptest_config(cases(1000))]

@@ -2,7 +2,10 @@
 
 use arcsum::region::{Curve, Node, Region};
 use arcsum::validate::validate;
+use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
+use arcsum_oracle::region::ExactRegion;
 use proptest::prelude::*;
+use rug::Rational;
 use std::f64::consts::TAU;
 
 /// How a coordinate is made of a number in [-1, 1].
@@ -121,4 +124,56 @@ pub fn nudged_integers(most: usize, lattice: i32) -> impl Strategy<Value = Regio
         }
         validate(&region).is_ok().then_some(region)
     })
+}
+
+/// A region and a copy of it whose coordinates are up to three units in the last place off.
+pub fn nudged_copies(region: impl Strategy<Value = Region>) -> impl Strategy<Value = (Region, Region)> {
+    let ulps = prop::collection::vec((-3..=3_i8, -3..=3_i8), 1..30);
+    (region, ulps).prop_filter_map("not valid", |(region, ulps)| {
+        let mut copy = region.clone();
+        for (node, (x, y)) in copy.loops.iter_mut().flatten().zip(ulps.iter().cycle()) {
+            (node.x, node.y) = (nudged(node.x, *x), nudged(node.y, *y));
+        }
+        validate(&copy).is_ok().then_some((region, copy))
+    })
+}
+
+/// A region and a copy of it turned about one of its vertices by 2^-k for some k: nearly parallel edges that cross at
+/// or near their ends.
+pub fn turned_copies(region: impl Strategy<Value = Region>) -> impl Strategy<Value = (Region, Region)> {
+    (region, 4..54_i32, any::<prop::sample::Index>()).prop_filter_map("not valid", |(region, k, index)| {
+        let (s, c) = 2_f64.powi(-k).sin_cos();
+        let pivot = *index.get(&region.loops[0]);
+        let mut copy = region.clone();
+        for node in copy.loops.iter_mut().flatten() {
+            let (x, y) = (node.x - pivot.x, node.y - pivot.y);
+            (node.x, node.y) = (pivot.x + (c * x - s * y), pivot.y + (s * x + c * y));
+        }
+        validate(&copy).is_ok().then_some((region, copy))
+    })
+}
+
+/// A valid region of grid cells, each empty, full or, with `halves`, cut along a diagonal: holes, parts and pinches,
+/// coinciding edges.
+pub fn cells(side: usize, halves: bool) -> impl Strategy<Value = Region> {
+    let missing = (0..if halves { 11 } else { 7_usize }).prop_map(|k| match k {
+        0..=2 => None,
+        3..=6 => Some(4),
+        _ => Some(k - 7),
+    });
+    prop::collection::vec(missing, side * side).prop_filter_map("not valid", move |missing| {
+        let cell = |(k, missing): (usize, &Option<usize>)| missing.map(|corner| cell(k % side, k / side, corner));
+        let loops = missing.iter().enumerate().filter_map(cell).collect();
+        let outline: ExactRegion<Rational> = ExactRegion::from_plain(&PlainRegion { loops, unbounded: false }).ok()?;
+        let nodes = |l: &Vec<Corner>| l.iter().map(|c| Node::line(c.x, c.y)).collect();
+        let region = Region { loops: outline.to_plain().loops.iter().map(nodes).collect(), ..Region::default() };
+        validate(&region).is_ok().then_some(region)
+    })
+}
+
+/// The cell at these coordinates without one of its corners, counted from the lowest left one; 4 for the whole.
+fn cell(x: usize, y: usize, missing: usize) -> Vec<Corner> {
+    let corner = |(i, j)| Corner { x: (x + i) as f64, y: (y + j) as f64, bend: Bend::Line };
+    let corners = [(0, 0), (1, 0), (1, 1), (0, 1)].into_iter().enumerate();
+    corners.filter(|(k, _)| *k != missing).map(|(_, c)| corner(c)).collect()
 }

@@ -2,6 +2,7 @@
 
 use arcsum::angle::Ang;
 use arcsum::arc::ArcError;
+use arcsum::boundary::Boundary;
 use arcsum::frame::Frame;
 use arcsum::region::{Curve, Node, Region};
 use arcsum::smooth::{Counts, Kind, Seg, Smooth, SmoothError};
@@ -134,7 +135,8 @@ proptest! {
         // A cut may be off by 11 eps (see the test of arcs), the piece from there on by 5 more.
         let worst = check_geometry(&region, &frame, &smooth);
         prop_assert!(worst <= 16.0, "{worst}");
-        prop_assert_eq!(smooth.pieces(1).len(), segs(&smooth).filter(|s| s.kind != Kind::Turn).count());
+        let boundary = Boundary::new(&region, &frame).expect("a valid region");
+        prop_assert!(boundary.loops.iter().flatten().eq(segs(&smooth).filter(|s| s.kind != Kind::Turn)));
     }
 
     /// Any doubles at all: an error or a sound structure, never a panic.

@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use crate::boxes::Extent;
 use crate::number::Number;
 use crate::point::{Place, Point};
-use crate::region::ring_edges;
+use crate::region::{ExactRegion, ring_edges};
 
 /// A directed segment of positive length.
 #[derive(Clone, Copy, Debug)]
@@ -105,6 +105,16 @@ impl<Q: Number> Curves<Q> {
     pub fn ring(&mut self, ring: impl IntoIterator<Item = Point<Q>>, layer: usize) {
         let numbers: Vec<usize> = ring.into_iter().map(|point| self.place(point)).collect();
         ring_edges(&numbers).for_each(|(&tail, &head)| self.segment(tail, head, layer));
+    }
+
+    /// The boundaries of regions, one layer each.
+    #[must_use]
+    pub fn of_regions<const L: usize>(regions: [&ExactRegion<Q>; L]) -> Self {
+        let mut curves = Self::default();
+        for (layer, region) in regions.into_iter().enumerate() {
+            region.loops().iter().for_each(|ring| curves.ring(ring.iter().cloned(), layer));
+        }
+        curves
     }
 
     /// The number of segments between different places, those that cancel included.

@@ -4,6 +4,8 @@
 
 pub mod arc;
 pub mod arrange;
+pub mod backward;
+pub mod boolean;
 pub mod boxes;
 pub mod cells;
 pub mod certified;

@@ -26,7 +26,7 @@ use crate::region::ExactRegion;
 use crate::trapezoid::trapezoids;
 
 /// Below this many unit-box lengths a bracket is not refined further.
-const FLOOR: f64 = 1.0 / (1u64 << 62) as f64;
+pub(crate) const FLOOR: f64 = 1.0 / (1u64 << 62) as f64;
 
 /// From which of the regions the distance is measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -116,10 +116,7 @@ pub fn reach<Q: Number>(
 
 /// The boundaries of `a` without `b` and of `b` without `a`.
 fn differences<Q: Number>(a: &ExactRegion<Q>, b: &ExactRegion<Q>) -> Result<[Vec<Edge<Q>>; 2], OracleError> {
-    let mut curves = Curves::default();
-    for (layer, region) in [a, b].into_iter().enumerate() {
-        region.loops().iter().for_each(|ring| curves.ring(ring.iter().cloned(), layer));
-    }
+    let curves = Curves::of_regions([a, b]);
     let base = [a, b].map(|region| i32::from(region.unbounded()));
     boundaries(&curves, base, [|w| w[0] > 0 && w[1] == 0, |w| w[0] == 0 && w[1] > 0], Budget::NONE)
 }

@@ -3,11 +3,10 @@
 mod common;
 
 use arcsum_oracle::error::Budget;
-use arcsum_oracle::number::Number;
 use arcsum_oracle::plain::PlainRegion;
 use arcsum_oracle::region::ExactRegion;
 use arcsum_oracle::{convolve, decompose};
-use common::{cells, complement, exact, radial};
+use common::{cells, complement, digits, exact, radial};
 use num_rational::BigRational;
 use proptest::prelude::*;
 use rug::Rational;
@@ -17,11 +16,6 @@ fn both(a: &PlainRegion, b: &PlainRegion) -> [ExactRegion<Rational>; 2] {
     let by_winding = convolve::sum(&a, &b, Budget::NONE).expect("no budget");
     let by_union = decompose::sum(&a, &b, Budget::NONE).expect("no budget");
     [by_winding, by_union]
-}
-
-fn digits<Q: Number>(region: &ExactRegion<Q>) -> Vec<Vec<(String, String)>> {
-    let point = |p: &arcsum_oracle::point::Point<Q>| (p.x.digits(), p.y.digits());
-    region.loops().iter().map(|ring| ring.iter().map(point).collect()).collect()
 }
 
 proptest! {

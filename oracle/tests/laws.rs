@@ -11,7 +11,7 @@ use arcsum_oracle::plain::PlainRegion;
 use arcsum_oracle::point::{Place, Point};
 use arcsum_oracle::region::{ExactRegion, ring_area};
 use arcsum_oracle::{convolve, polygon};
-use common::{cells, complement, exact, radial, ring};
+use common::{cells, complement, exact, inside, radial, ring, side};
 use proptest::prelude::*;
 use rug::Rational;
 
@@ -42,23 +42,11 @@ fn meets(a: &Region, b: &Region, t: &Point<Rational>) -> bool {
     a.edges().any(crosses) || holds(a, &b) || holds(&b, a)
 }
 
-fn side(a: &Point<Rational>, b: &Point<Rational>, c: &Point<Rational>) -> Ordering {
-    b.minus(a).cross(&c.minus(a)).sign()
-}
-
 fn segments_meet(p: &Point<Rational>, q: &Point<Rational>, r: &Point<Rational>, s: &Point<Rational>) -> bool {
     let boxes =
         |v: fn(&Point<Rational>) -> &Rational| v(p).max(v(q)) >= v(r).min(v(s)) && v(r).max(v(s)) >= v(p).min(v(q));
     let apart = |a: Ordering, b: Ordering| a == b && a != Ordering::Equal;
     boxes(|p| &p.x) && boxes(|p| &p.y) && !apart(side(p, q, r), side(p, q, s)) && !apart(side(r, s, p), side(r, s, q))
-}
-
-/// Whether an upward ray from the point crosses the boundary an odd number of times (an even one if unbounded).
-fn inside(region: &Region, p: &Point<Rational>) -> bool {
-    let crosses = |(a, b): &(&Point<Rational>, &Point<Rational>)| {
-        (a.x <= p.x) != (b.x <= p.x) && (side(a, b, p) == Ordering::Less) == (a.x < b.x)
-    };
-    region.unbounded() ^ (region.edges().filter(crosses).count() % 2 == 1)
 }
 
 proptest! {

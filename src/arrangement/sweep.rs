@@ -161,7 +161,7 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
         let answer = self.crossings(f, g);
         let (mut below, mut place) = (answer.below, None);
         for &at in answer.points() {
-            let key = self.key_of(at, f, g);
+            let key = if below { self.key_of(at, f, g) } else { self.key_of(at, g, f) };
             if compare(key, self.now).is_gt() {
                 if below {
                     self.queue.push(Reverse(Event { key, at, lower: f, upper: g }));
@@ -176,10 +176,14 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
         if below { Ok(()) } else { Err(place) }
     }
 
-    /// When a crossing happens: at its place, but within the time both curves are active. On a line that falls by much
-    /// within one unit in the last place of x no representable place comes between its two ends.
-    fn key_of(&self, at: DVec2, f: u32, g: u32) -> DVec2 {
-        let (f, g) = (&self.curves[f as usize], &self.curves[g as usize]);
+    /// When a crossing happens. On lines that rise or fall by much within one unit in the last place of x, its place may be a
+    /// rounding of x away and yet far in y from where they are there. A vertex between them at that x belongs above the lower
+    /// one and below the upper one, and which is which changes when the sweep passes the one that was `upper` before. So that
+    /// is the time, but within the time both curves are active.
+    fn key_of(&self, at: DVec2, lower: u32, upper: u32) -> DVec2 {
+        let (f, g) = (&self.curves[lower as usize], &self.curves[upper as usize]);
+        let y = if g.is_vertical() { at.y } else { g.y_at(at.x) };
+        let at = if (y - at.y).abs() > self.module.tolerance() { DVec2::new(at.x, y) } else { at };
         let start = if compare(f.start, g.start).is_ge() { f.start } else { g.start };
         let end = if compare(f.right, g.right).is_le() { f.right } else { g.right };
         if compare(at, start).is_lt() {
@@ -224,12 +228,24 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
         self.since_now(below);
     }
 
-    /// The current point moved into the boxes of two curves. Among curves that rise by much within a few units in the last
-    /// place of x, neighbours in the status may be far from an event in y.
+    /// The current abscissa, and the ordinate nearest to the current one where two curves meet or are closest there, up to
+    /// rounding of x. Among curves that rise by much within a few units in the last place of x, neighbours in the status may
+    /// be far from an event in y.
     fn near_both(&self, f: u32, g: u32) -> DVec2 {
-        let (f, g) = (self.curves[f as usize].y_range(), self.curves[g as usize].y_range());
-        let (low, high) = (f.0.max(g.0), f.1.min(g.1));
-        DVec2::new(self.now.x, if low <= high { self.now.y.clamp(low, high) } else { self.now.y })
+        let (f, g) = (self.heights_now(f), self.heights_now(g));
+        let (p, q) = (f.0.max(g.0), f.1.min(g.1));
+        DVec2::new(self.now.x, self.now.y.clamp(p.min(q), p.max(q)))
+    }
+
+    /// The ordinates of a curve at the current abscissa up to rounding.
+    fn heights_now(&self, curve: u32) -> (f64, f64) {
+        let curve = &self.curves[curve as usize];
+        if curve.is_vertical() {
+            return curve.y_range();
+        }
+        let tolerance = self.module.tolerance();
+        let [p, q] = [-tolerance, tolerance].map(|d| curve.y_at((self.now.x + d).clamp(curve.left.x, curve.right.x)));
+        (p.min(q), p.max(q))
     }
 
     // ---- vertices ----
@@ -251,7 +267,7 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
             ending.extend(hit.map(|place| self.status.curve(place)));
             around
         } else {
-            self.gather(&ending)
+            self.gather(&mut ending)
         };
         let block = self.absorb(&mut around, &mut ending);
         self.cut(&ending, vertex, &mut starting);
@@ -288,13 +304,20 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
         })
     }
 
-    /// Brings the places of the ending curves together by swapping strangers out towards the nearer side. Returns the places
-    /// around all that was touched.
-    fn gather(&mut self, ending: &[u32]) -> [Place; 2] {
-        for curve in ending {
+    /// Brings the places of the ending curves together by swapping strangers out towards the nearer side. Lines among the
+    /// strangers that pass through the point are no strangers: they end here, too, or an exact meeting of several would come
+    /// out as several vertices. Returns the places around all that was touched.
+    fn gather(&mut self, ending: &mut Vec<u32>) -> [Place; 2] {
+        for curve in ending.iter() {
             self.is_ending[*curve as usize] = true;
         }
         let range = self.range_of(ending);
+        for curve in range.iter().map(|place| self.status.curve(*place)) {
+            if !self.is_ending[curve as usize] && self.passes(curve) {
+                self.is_ending[curve as usize] = true;
+                ending.push(curve);
+            }
+        }
         let around = [self.status.near(range[0], DOWN), self.status.near(range[range.len() - 1], UP)];
         if range.len() > ending.len() {
             self.swap_strangers_out(&range, ending.len());

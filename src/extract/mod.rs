@@ -2,8 +2,8 @@
 //!
 //! A boundary edge has exactly one selected side. Loops are traced with the selection on the left, turning to stay in the
 //! same sector at every vertex, then split where they touch themselves, so every loop is simple as far as identities
-//! go: outer loops run counter-clockwise, holes clockwise. Pieces of one source are merged, otherwise iterated sums would
-//! grow without end.
+//! go: outer loops run counter-clockwise, holes clockwise. Pieces of one source are merged where no other part of the boundary
+//! touches them, otherwise iterated sums would grow without end.
 
 mod run;
 mod trace;
@@ -27,8 +27,10 @@ pub struct Corner {
 #[must_use]
 pub fn outline(arrangement: &Arrangement, pieces: &Pieces, selected: impl Fn([i32; 2]) -> bool) -> Vec<Vec<Corner>> {
     let mut loops: Vec<(u32, bool, Vec<Corner>)> = Vec::new();
-    for traced in trace::loops(&arrangement.graph, selected) {
-        let corners = run::corners(&arrangement.graph, pieces, &traced.halves);
+    let traced_loops = trace::loops(&arrangement.graph, selected);
+    let pinches = trace::Pinches::new(&arrangement.graph, &traced_loops);
+    for traced in traced_loops {
+        let corners = run::corners(&arrangement.graph, pieces, &traced.halves, &pinches);
         if !is_flat(&corners) {
             loops.push((traced.component, signed_area(&corners) < 0.0, corners));
         }

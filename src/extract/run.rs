@@ -1,6 +1,8 @@
-//! Runs: consecutive half-edges of a loop that come from one source segment, merged into one segment.
+//! Runs: consecutive half-edges of a loop that come from one source segment, merged into one segment. Where loops touch
+//! nothing is merged: the rounding of the segment's ends would push it across the other loop.
 
 use super::Corner;
+use super::trace::Pinches;
 use crate::arrangement::curve::Curve;
 use crate::arrangement::graph::{Graph, HalfEdge};
 use crate::piece::{Pieces, Source};
@@ -17,32 +19,36 @@ struct Stretch {
     curve: u32,
     piece: u32,
     source: Source,
+    /// Whether the boundary passes through `from` more than once.
+    pinched: bool,
 }
 
 /// The corners of a loop.
-pub fn corners(graph: &Graph, pieces: &Pieces, halves: &[HalfEdge]) -> Vec<Corner> {
-    let stretches = merged(stretches(graph, pieces, halves), same_piece);
+pub fn corners(graph: &Graph, pieces: &Pieces, halves: &[HalfEdge], pinches: &Pinches) -> Vec<Corner> {
+    let stretches = merged(stretches(graph, pieces, halves, pinches), same_piece);
     let measured = stretches.into_iter().map(|s| with_sweep(&graph.curves[s.curve as usize], s)).collect();
     let runs = merged(measured, same_source);
     runs.iter().map(|s| Corner { point: s.from, delta: s.delta }).collect()
 }
 
 /// One stretch a half-edge; its sweep is still that of the whole piece, as the loop runs along it.
-fn stretches(graph: &Graph, pieces: &Pieces, halves: &[HalfEdge]) -> Vec<Stretch> {
+fn stretches(graph: &Graph, pieces: &Pieces, halves: &[HalfEdge], pinches: &Pinches) -> Vec<Stretch> {
     let stretch = |&half: &HalfEdge| {
         let index = graph.edges[(half / 2) as usize].curve;
         let curve = &graph.curves[index as usize];
         let [from, to] = [graph.origin(half), graph.target(half)].map(|v| graph.points[v as usize]);
         let delta = if half.is_multiple_of(2) { curve.delta } else { -curve.delta };
         let source = pieces.pieces[curve.piece as usize].source;
-        Stretch { from, to, delta, curve: index, piece: curve.piece, source }
+        Stretch { from, to, delta, curve: index, piece: curve.piece, source, pinched: pinches.contains(from) }
     };
     halves.iter().map(stretch).collect()
 }
 
-/// Joins neighbours, cyclically, as long as `join` makes one of two.
+/// Joins neighbours, cyclically, as long as `join` makes one of two and no other part of the boundary touches them where
+/// they meet.
 fn merged(stretches: Vec<Stretch>, join: impl Fn(&Stretch, &Stretch) -> Option<Stretch>) -> Vec<Stretch> {
     let n = stretches.len();
+    let join = |s: &Stretch, t: &Stretch| if t.pinched { None } else { join(s, t) };
     // Begin at a real corner, so that no run is torn at the seam.
     let start = (0..n).find(|i| join(&stretches[(i + n - 1) % n], &stretches[*i]).is_none()).unwrap_or(0);
     let mut out: Vec<Stretch> = Vec::with_capacity(n);

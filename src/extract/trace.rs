@@ -12,6 +12,32 @@ pub struct Traced {
     pub halves: Vec<HalfEdge>,
 }
 
+/// The points that the boundary passes through more than once.
+pub struct Pinches {
+    passes: HashMap<(u64, u64), u32>,
+}
+
+impl Pinches {
+    /// Those of all loops together.
+    pub fn new(graph: &Graph, loops: &[Traced]) -> Self {
+        let mut passes = HashMap::new();
+        for &half in loops.iter().flat_map(|traced| &traced.halves) {
+            *passes.entry(key(graph.points[graph.origin(half) as usize])).or_insert(0) += 1;
+        }
+        Self { passes }
+    }
+
+    /// Whether the point is one of them.
+    pub fn contains(&self, point: DVec2) -> bool {
+        self.passes.get(&key(point)).is_some_and(|passes| *passes > 1)
+    }
+}
+
+/// What tells points apart: no perturbation is smaller than their last bit.
+fn key(p: DVec2) -> (u64, u64) {
+    (p.x.to_bits(), p.y.to_bits())
+}
+
 /// All boundary loops of the selected faces.
 pub fn loops(graph: &Graph, selected: impl Fn([i32; 2]) -> bool) -> Vec<Traced> {
     let is_in: Vec<bool> = graph.windings.iter().map(|w| selected(*w)).collect();
@@ -43,7 +69,6 @@ pub fn loops(graph: &Graph, selected: impl Fn([i32; 2]) -> bool) -> Vec<Traced> 
 /// Cuts a walk where it comes back to a point, and hands out the simple loops.
 fn split(graph: &Graph, walk: Vec<HalfEdge>, mut emit: impl FnMut(Vec<HalfEdge>)) {
     let origin = |half: HalfEdge| graph.points[graph.origin(half) as usize];
-    let key = |p: DVec2| (p.x.to_bits(), p.y.to_bits());
     let mut stack: Vec<HalfEdge> = Vec::new();
     let mut depth_of: HashMap<(u64, u64), usize> = HashMap::new();
     for half in walk {

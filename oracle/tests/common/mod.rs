@@ -3,10 +3,13 @@
 
 pub mod outline;
 
+use std::cmp::Ordering;
+
 use arcsum_oracle::certified::vector::Vector;
 use arcsum_oracle::enclose::{Enclosure, enclose};
 use arcsum_oracle::number::Number;
 use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
+use arcsum_oracle::point::Point;
 use arcsum_oracle::region::ExactRegion;
 use proptest::prelude::*;
 
@@ -35,6 +38,25 @@ pub fn rectangle(x0: f64, y0: f64, x1: f64, y1: f64) -> Vec<Corner> {
 /// The region of the doubles.
 pub fn exact<Q: Number>(region: &PlainRegion) -> ExactRegion<Q> {
     ExactRegion::from_plain(region).expect("the test's region is polygonal and finite")
+}
+
+/// The loops to the digit, the same for all backends.
+pub fn digits<Q: Number>(region: &ExactRegion<Q>) -> Vec<Vec<(String, String)>> {
+    let point = |p: &Point<Q>| (p.x.digits(), p.y.digits());
+    region.loops().iter().map(|ring| ring.iter().map(point).collect()).collect()
+}
+
+/// On which side of the line from a to b the point c lies: `Greater` on the left.
+pub fn side<Q: Number>(a: &Point<Q>, b: &Point<Q>, c: &Point<Q>) -> Ordering {
+    b.minus(a).cross(&c.minus(a)).sign()
+}
+
+/// Whether an upward ray from the point crosses the boundary an odd number of times (an even one if unbounded).
+pub fn inside<Q: Number>(region: &ExactRegion<Q>, p: &Point<Q>) -> bool {
+    let crosses = |(a, b): &(&Point<Q>, &Point<Q>)| {
+        (a.x <= p.x) != (b.x <= p.x) && (side(a, b, p) == Ordering::Less) == (a.x < b.x)
+    };
+    region.unbounded() ^ (region.edges().filter(crosses).count() % 2 == 1)
 }
 
 /// Grid cells, each empty, full or cut along a diagonal, then sheared: holes, components, pinches, collinear and
