@@ -8,5 +8,6 @@ pub mod curve;
 pub mod piece;
 pub mod precision;
 pub mod real;
+pub mod realize;
 pub mod shape;
 pub mod vector;

@@ -1,0 +1,58 @@
+//! Step 3 of MS 4.2: chains are lifted until none runs into another.
+
+use std::collections::BTreeMap;
+
+use super::error::RealizeError;
+use super::order::{self, Below};
+use super::place::Placed;
+use crate::certified::real::Real;
+
+/// How far chains that would touch are kept apart, in the unit box. Far above what is uncertain at the working precision
+/// (see [`order::relations`]), far below one eps, and a power of two that does not get lost next to an excess of eps.
+const MARGIN: f64 = 1.0 / (1u128 << 80) as f64;
+
+/// The lift of every chain in the frame, doubles that are meant exactly.
+///
+/// # Errors
+/// [`RealizeError::Tangled`] if the chains have no order, or if a chain runs between two that are joined.
+pub fn lifts(chains: &[Vec<Placed>], joints: &[(usize, usize)], scale: &Real) -> Result<Vec<f64>, RealizeError> {
+    let relations = order::relations(chains, scale);
+    check_joints(chains, joints, &relations)?;
+    let mut below: Vec<Vec<Below>> = vec![Vec::new(); chains.len()];
+    for relation in &relations {
+        below[relation.upper].push(*relation);
+    }
+    let mut lifts = vec![0.0_f64; chains.len()];
+    for chain in order::sorted(chains.len(), &relations)? {
+        let needed = below[chain].iter().map(|relation| lifts[relation.lower] + relation.excess + MARGIN);
+        lifts[chain] = needed.fold(0.0, f64::max);
+    }
+    Ok(lifts)
+}
+
+/// Step 4 joins the end of one chain with the start of another at one abscissa. What runs over that abscissa must run above
+/// both or below both.
+fn check_joints(chains: &[Vec<Placed>], joints: &[(usize, usize)], relations: &[Below]) -> Result<(), RealizeError> {
+    let upper: BTreeMap<(usize, usize), usize> =
+        relations.iter().map(|r| ((r.lower.min(r.upper), r.lower.max(r.upper)), r.upper)).collect();
+    let above = |chain: usize, other: usize| upper.get(&(chain.min(other), chain.max(other))).map(|&u| u == chain);
+    let extents: Vec<(f64, f64)> = chains.iter().map(|chain| extent(chain)).collect();
+    for &(ending, starting) in joints {
+        let x = &chains[ending][chains[ending].len() - 1].to().x;
+        for (other, &(left, right)) in extents.iter().enumerate() {
+            let apart = other == ending || other == starting || left > x.hi() || right < x.lo();
+            if let (false, Some(one), Some(two)) = (apart, above(other, ending), above(other, starting))
+                && one != two
+            {
+                return Err(RealizeError::Tangled);
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The abscissas of a chain, rounded outwards.
+fn extent(chain: &[Placed]) -> (f64, f64) {
+    let (from, to) = (&chain[0].from().x, &chain[chain.len() - 1].to().x);
+    (from.lo().min(to.lo()), from.hi().max(to.hi()))
+}

@@ -1,0 +1,153 @@
+//! How far a realization is from the boundary that the engine stores (Theorem 1 and Lemma 1 of MS, measured).
+//!
+//! Points are matched as in Lemma 1: by the place on a line, by the angle on a circle segment, and the connections of step
+//! 4 with the point between the chains. On a stored circle segment the difference of matched points is c + q n for a
+//! complex q and the normals n, an arc of the same sweep 2 delta <= 90 degrees as the segment; it exceeds the larger of its ends d, e by
+//! at most its sagitta |e - d| / 2 tan(delta / 2), tan(22.5 degrees) < 0.4143. So the bounds are certified, and the
+//! Hausdorff distance is not above them.
+
+use super::place::Placed;
+use super::plan::{Plan, WORK};
+use super::track::{Mark, Track};
+use crate::certified::real::Real;
+use crate::certified::vector::Vector;
+
+/// More than half of tan(pi/8).
+const SAGITTA: f64 = 0.207_2;
+
+/// Upper bounds of distances, in the unit box.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moved {
+    /// Of matched points of the stored boundary and the realization.
+    pub boundary: f64,
+    /// Of the places where the convolution ends sum segments inside circle segments, from where the engine has them.
+    pub stops: f64,
+    /// The translation that was subtracted for the next two: about the best for the boundary.
+    pub translation: (f64, f64),
+    /// As `boundary`, after the translation.
+    pub boundary_translated: f64,
+    /// As `stops`, after the translation.
+    pub stops_translated: f64,
+}
+
+/// How far one chain has moved, in the unit box.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChainMove {
+    /// The loop.
+    pub ring: usize,
+    /// How many lines and circle segments it consists of.
+    pub spans: usize,
+    /// Upper bound of the distance of matched points after step 2, before the lift.
+    pub drift: f64,
+    /// By how much step 3 lifts it along the direction.
+    pub lift: f64,
+}
+
+/// The difference vectors of a chain, in input coordinates.
+struct Differences {
+    /// Those at the ends of every piece, and whether it is a circle segment.
+    pieces: Vec<([Vector; 2], bool)>,
+    stops: Vec<Vector>,
+}
+
+impl Moved {
+    /// The greater of both distances after the best translation.
+    #[must_use]
+    pub fn translated(&self) -> f64 {
+        self.boundary_translated.max(self.stops_translated)
+    }
+
+    /// The greater of both distances.
+    #[must_use]
+    pub fn greatest(&self) -> f64 {
+        self.boundary.max(self.stops)
+    }
+}
+
+/// The distances of a plan's region and of its chains.
+#[must_use]
+pub fn moved(plan: &Plan) -> (Moved, Vec<ChainMove>) {
+    let placed = plan.placed(WORK);
+    let all: Vec<Differences> = (0..placed.len()).map(|chain| differences(plan, chain, &placed[chain])).collect();
+    let none = Vector::new(0.0, 0.0, WORK);
+    let length = plan.up.square(WORK).sqrt();
+    let unlifted = |chain: usize| {
+        let lift = Vector { x: none.x.clone(), y: &none.y + plan.lifts[chain] };
+        let back = plan.up.from_frame(&lift, WORK);
+        ChainMove {
+            ring: plan.chains[chain].ring,
+            spans: plan.chains[chain].spans.len(),
+            drift: all[chain].boundary(&back),
+            lift: (Real::from(plan.lifts[chain]) / &length).hi(),
+        }
+    };
+    let chains = (0..placed.len()).map(unlifted).collect();
+    let greatest = |by: &Vector, measure: fn(&Differences, &Vector) -> f64| {
+        all.iter().map(|chain| measure(chain, by)).fold(0.0, f64::max)
+    };
+    let translation = middle(&all);
+    let by = Vector::new(translation.0, translation.1, WORK);
+    let moved = Moved {
+        boundary: greatest(&none, Differences::boundary),
+        stops: greatest(&none, Differences::stops),
+        translation,
+        boundary_translated: greatest(&by, Differences::boundary),
+        stops_translated: greatest(&by, Differences::stops),
+    };
+    (moved, chains)
+}
+
+/// The middle of the box of all differences.
+fn middle(all: &[Differences]) -> (f64, f64) {
+    let ends = all.iter().flat_map(|chain| &chain.pieces).flat_map(|(ends, _)| ends);
+    let mut bounds = [f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY];
+    for (x, y) in ends.map(Vector::nearest) {
+        bounds = [bounds[0].min(x), bounds[1].max(x), bounds[2].min(y), bounds[3].max(y)];
+    }
+    (0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]))
+}
+
+fn differences(plan: &Plan, chain: usize, placed: &[Placed]) -> Differences {
+    let track = plan.track(chain, WORK);
+    let back = |v: &Vector| plan.up.from_frame(v, WORK);
+    let mut differences = Differences { pieces: Vec::new(), stops: Vec::new() };
+    for (span, placed) in plan.chains[chain].spans.iter().zip(placed) {
+        let at = |i: usize| back(&(&placed.points[i] - &track.stored(span.marks[i])));
+        for (i, pair) in span.marks.windows(2).enumerate() {
+            differences.pieces.push(([at(i), at(i + 1)], placed.round.is_some()));
+            differences.stops.extend(stops(&track, pair, placed).iter().map(back));
+        }
+    }
+    differences
+}
+
+/// The differences at the stops between two marks, in the frame.
+fn stops(track: &Track, pair: &[Mark], placed: &Placed) -> Vec<Vector> {
+    let side = |mark: Mark| track.normal(mark).y.sign();
+    let turns = pair.iter().any(|mark| matches!(mark, Mark::Turn(_)));
+    let own = if matches!(pair[0], Mark::Turn(_)) { pair[1] } else { pair[0] };
+    let mut found = Vec::new();
+    for stop in &track.pieces[pair[0].piece()].stops {
+        if turns && track.at(stop.angle).y.sign() != side(own) {
+            continue;
+        }
+        let engine = &track.point(stop.end) + &track.point(stop.way);
+        found.push(&placed.point(track, stop.angle) - &engine);
+    }
+    found
+}
+
+impl Differences {
+    fn boundary(&self, translation: &Vector) -> f64 {
+        let bound = |(ends, round): &([Vector; 2], bool)| {
+            let [start, end] = ends.each_ref().map(|d| (d - translation).length());
+            let sagitta = if *round { ends[0].distance(&ends[1]) * SAGITTA } else { Real::from(0.0) };
+            (start.max(&end) + sagitta).hi()
+        };
+        self.pieces.iter().map(bound).fold(0.0, f64::max)
+    }
+
+    fn stops(&self, translation: &Vector) -> f64 {
+        self.stops.iter().map(|d| (d - translation).length().hi()).fold(0.0, f64::max)
+    }
+}
