@@ -3,8 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::error::RealizeError;
-use super::order::{self, Below};
-use super::place::Placed;
+use super::order::{self, Below, Double};
 use crate::certified::real::Real;
 
 /// How far chains that would touch are kept apart, in the unit box. Far above what is uncertain at the working precision
@@ -15,9 +14,9 @@ const MARGIN: f64 = 1.0 / (1u128 << 80) as f64;
 ///
 /// # Errors
 /// [`RealizeError::Tangled`] if the chains have no order, or if a chain runs between two that are joined.
-pub fn lifts(chains: &[Vec<Placed>], joints: &[(usize, usize)], scale: &Real) -> Result<Vec<f64>, RealizeError> {
+pub fn lifts(chains: &[Double], scale: &Real) -> Result<Vec<f64>, RealizeError> {
     let relations = order::relations(chains, scale);
-    check_joints(chains, joints, &relations)?;
+    check_joints(chains, &relations)?;
     let mut below: Vec<Vec<Below>> = vec![Vec::new(); chains.len()];
     for relation in &relations {
         below[relation.upper].push(*relation);
@@ -32,13 +31,13 @@ pub fn lifts(chains: &[Vec<Placed>], joints: &[(usize, usize)], scale: &Real) ->
 
 /// Step 4 joins the end of one chain with the start of another at one abscissa. What runs over that abscissa must run above
 /// both or below both.
-fn check_joints(chains: &[Vec<Placed>], joints: &[(usize, usize)], relations: &[Below]) -> Result<(), RealizeError> {
+fn check_joints(chains: &[Double], relations: &[Below]) -> Result<(), RealizeError> {
     let upper: BTreeMap<(usize, usize), usize> =
         relations.iter().map(|r| ((r.lower.min(r.upper), r.lower.max(r.upper)), r.upper)).collect();
     let above = |chain: usize, other: usize| upper.get(&(chain.min(other), chain.max(other))).map(|&u| u == chain);
-    let extents: Vec<(f64, f64)> = chains.iter().map(|chain| extent(chain)).collect();
-    for &(ending, starting) in joints {
-        let x = &chains[ending][chains[ending].len() - 1].to().x;
+    let extents: Vec<(f64, f64)> = chains.iter().map(extent).collect();
+    for (starting, chain) in chains.iter().enumerate() {
+        let (ending, x) = (chain.previous, &chain.placed[0].path.from.x);
         for (other, &(left, right)) in extents.iter().enumerate() {
             let apart = other == ending || other == starting || left > x.hi() || right < x.lo();
             if let (false, Some(one), Some(two)) = (apart, above(other, ending), above(other, starting))
@@ -52,7 +51,7 @@ fn check_joints(chains: &[Vec<Placed>], joints: &[(usize, usize)], relations: &[
 }
 
 /// The abscissas of a chain, rounded outwards.
-fn extent(chain: &[Placed]) -> (f64, f64) {
-    let (from, to) = (&chain[0].from().x, &chain[chain.len() - 1].to().x);
+fn extent(chain: &Double) -> (f64, f64) {
+    let (from, to) = (&chain.placed[0].path.from.x, &chain.placed[chain.placed.len() - 1].path.to.x);
     (from.lo().min(to.lo()), from.hi().max(to.hi()))
 }

@@ -9,8 +9,12 @@
 use super::place::Placed;
 use super::plan::{Plan, WORK};
 use super::track::{Mark, Track};
+use crate::certified::precision::Precision;
 use crate::certified::real::Real;
 use crate::certified::vector::Vector;
+
+/// The precision for stops, of which there can be as many as sum segments.
+const STOPS: Precision = Precision::LADDER[2];
 
 /// More than half of tan(pi/8).
 const SAGITTA: f64 = 0.207_2;
@@ -43,7 +47,7 @@ pub struct ChainMove {
     pub lift: f64,
 }
 
-/// The difference vectors of a chain, in input coordinates.
+/// The difference vectors of a chain, in input coordinates, as intervals of doubles: relatively as sharp as they need be.
 struct Differences {
     /// Those at the ends of every piece, and whether it is a circle segment.
     pieces: Vec<([Vector; 2], bool)>,
@@ -67,17 +71,20 @@ impl Moved {
 /// The distances of a plan's region and of its chains.
 #[must_use]
 pub fn moved(plan: &Plan) -> (Moved, Vec<ChainMove>) {
-    let placed = plan.placed(WORK);
-    let all: Vec<Differences> = (0..placed.len()).map(|chain| differences(plan, chain, &placed[chain])).collect();
-    let none = Vector::new(0.0, 0.0, WORK);
+    let (placed, coarse) = (plan.placed(WORK), plan.placed(STOPS));
+    let differences = |chain: usize| Differences {
+        pieces: pieces(plan, chain, &placed[chain]),
+        stops: stops(plan, chain, &coarse[chain]),
+    };
+    let all: Vec<Differences> = (0..placed.len()).map(differences).collect();
+    let none = Vector::new(0.0, 0.0, Precision::DOUBLE);
     let length = plan.up.square(WORK).sqrt();
     let unlifted = |chain: usize| {
-        let lift = Vector { x: none.x.clone(), y: &none.y + plan.lifts[chain] };
-        let back = plan.up.from_frame(&lift, WORK);
+        let lift = plan.up.from_frame(&Vector::new(0.0, plan.lifts[chain], WORK), WORK);
         ChainMove {
             ring: plan.chains[chain].ring,
             spans: plan.chains[chain].spans.len(),
-            drift: all[chain].boundary(&back),
+            drift: all[chain].boundary(&rough(&lift)),
             lift: (Real::from(plan.lifts[chain]) / &length).hi(),
         }
     };
@@ -86,7 +93,7 @@ pub fn moved(plan: &Plan) -> (Moved, Vec<ChainMove>) {
         all.iter().map(|chain| measure(chain, by)).fold(0.0, f64::max)
     };
     let translation = middle(&all);
-    let by = Vector::new(translation.0, translation.1, WORK);
+    let by = Vector::new(translation.0, translation.1, Precision::DOUBLE);
     let moved = Moved {
         boundary: greatest(&none, Differences::boundary),
         stops: greatest(&none, Differences::stops),
@@ -107,34 +114,47 @@ fn middle(all: &[Differences]) -> (f64, f64) {
     (0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]))
 }
 
-fn differences(plan: &Plan, chain: usize, placed: &[Placed]) -> Differences {
+fn pieces(plan: &Plan, chain: usize, placed: &[Placed]) -> Vec<([Vector; 2], bool)> {
     let track = plan.track(chain, WORK);
-    let back = |v: &Vector| plan.up.from_frame(v, WORK);
-    let mut differences = Differences { pieces: Vec::new(), stops: Vec::new() };
+    let mut pieces = Vec::new();
     for (span, placed) in plan.chains[chain].spans.iter().zip(placed) {
-        let at = |i: usize| back(&(&placed.points[i] - &track.stored(span.marks[i])));
-        for (i, pair) in span.marks.windows(2).enumerate() {
-            differences.pieces.push(([at(i), at(i + 1)], placed.round.is_some()));
-            differences.stops.extend(stops(&track, pair, placed).iter().map(back));
+        let difference = |(&mark, point)| rough(&plan.up.from_frame(&(point - &track.stored(mark)), WORK));
+        let ends: Vec<Vector> = span.marks.iter().zip(&placed.points).map(difference).collect();
+        pieces.extend(ends.windows(2).map(|pair| ([pair[0].clone(), pair[1].clone()], placed.path.round.is_some())));
+    }
+    pieces
+}
+
+fn stops(plan: &Plan, chain: usize, placed: &[Placed]) -> Vec<Vector> {
+    let track = plan.track(chain, STOPS);
+    let mut stops = Vec::new();
+    for (span, placed) in plan.chains[chain].spans.iter().zip(placed) {
+        for pair in span.marks.windows(2) {
+            stops.extend(stops_between(&track, pair, placed).iter().map(|v| rough(&plan.up.from_frame(v, STOPS))));
         }
     }
-    differences
+    stops
 }
 
 /// The differences at the stops between two marks, in the frame.
-fn stops(track: &Track, pair: &[Mark], placed: &Placed) -> Vec<Vector> {
-    let side = |mark: Mark| track.normal(mark).y.sign();
+fn stops_between(track: &Track, pair: &[Mark], placed: &Placed) -> Vec<Vector> {
     let turns = pair.iter().any(|mark| matches!(mark, Mark::Turn(_)));
     let own = if matches!(pair[0], Mark::Turn(_)) { pair[1] } else { pair[0] };
+    let side = track.normal(own).y.sign();
     let mut found = Vec::new();
     for stop in &track.pieces[pair[0].piece()].stops {
-        if turns && track.at(stop.angle).y.sign() != side(own) {
+        let normal = track.at(stop.angle);
+        if turns && normal.y.sign() != side {
             continue;
         }
         let engine = &track.point(stop.end) + &track.point(stop.way);
-        found.push(&placed.point(track, stop.angle) - &engine);
+        found.push(&placed.point(&normal) - &engine);
     }
     found
+}
+
+fn rough(v: &Vector) -> Vector {
+    Vector { x: Real::Double(v.x.enclosure()), y: Real::Double(v.y.enclosure()) }
 }
 
 impl Differences {

@@ -1,17 +1,33 @@
 //! The order of chains from below to above, and by how much they run into each other (MS 4.2, step 3).
 //!
-//! Of two chains over a common abscissa one is above the other up to rounding; how far the lower one pokes through is the
-//! greatest difference of their ordinates. On two spans it is at an end of the common range or where they are parallel.
+//! Of two chains over a common abscissa one is above the other on the stored boundary, up to rounding. How far the lower
+//! one pokes through after step 2 is the greatest difference of their ordinates: on two spans it is at an end of the
+//! common range or where they are parallel.
 
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::error::RealizeError;
+use super::path::Path;
 use super::place::Placed;
 use crate::certified::real::Real;
 
 /// Ordinates of spans whose boxes are farther apart than this are not compared: no lift comes near it.
 const APART: f64 = 1.0 / (1 << 20) as f64;
+
+/// Chains nearer than this on the stored boundary touch there.
+const TOUCH: f64 = 1.0 / (1u128 << 120) as f64;
+
+/// A chain twice: after step 2 and on the stored boundary, span by span.
+#[derive(Clone, Debug)]
+pub struct Double {
+    /// After step 2.
+    pub placed: Vec<Placed>,
+    /// On the stored boundary.
+    pub stored: Vec<Path>,
+    /// The chain before it in its loop.
+    pub previous: usize,
+}
 
 /// One chain below another.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,69 +36,103 @@ pub struct Below {
     pub lower: usize,
     /// The upper chain.
     pub upper: usize,
-    /// The greatest amount by which the lower one is above the upper one: negative if it nowhere is. An upper bound, in
-    /// the frame.
+    /// The greatest amount by which the lower one is above the upper one after step 2: negative if it nowhere is. An upper
+    /// bound, in the frame.
     pub excess: f64,
 }
 
-/// The differences of the ordinates of two chains: bounds of the greatest and the least.
+/// Bounds of the differences of the ordinates of two chains.
 #[derive(Clone, Copy)]
-struct Range {
-    most: f64,
-    least: f64,
+struct Differences {
+    /// Of the greatest and the least after step 2.
+    placed: [f64; 2],
+    /// Of the greatest and the least found on the stored boundary.
+    stored: [f64; 2],
 }
 
 /// All pairs of chains over a common abscissa. `scale` is the length of the direction.
 #[must_use]
-pub fn relations(chains: &[Vec<Placed>], scale: &Real) -> Vec<Below> {
-    let mut spans: Vec<(usize, &Placed, [f64; 4])> = Vec::new();
+pub fn relations(chains: &[Double], scale: &Real) -> Vec<Below> {
+    let mut spans: Vec<(usize, usize, [f64; 4])> = Vec::new();
     for (index, chain) in chains.iter().enumerate() {
-        spans.extend(chain.iter().map(|span| (index, span, span.bounds(scale))));
+        spans.extend(chain.placed.iter().enumerate().map(|(i, span)| (index, i, span.path.bounds(scale))));
     }
     spans.sort_by(|a, b| a.2[0].total_cmp(&b.2[0]));
-    let mut ranges: BTreeMap<(usize, usize), Range> = BTreeMap::new();
-    for (i, (chain, span, bounds)) in spans.iter().enumerate() {
-        for (other, second, second_bounds) in spans[i + 1..].iter().take_while(|(.., b)| b[0] <= bounds[2]) {
-            let (key, pair, boxes) = match chain.cmp(other) {
-                Ordering::Equal => continue,
-                Ordering::Less => ((*chain, *other), [*span, *second], [bounds, second_bounds]),
-                Ordering::Greater => ((*other, *chain), [*second, *span], [second_bounds, bounds]),
-            };
-            let Some(found) = compare(pair, boxes, scale) else { continue };
-            let range = ranges.entry(key).or_insert(found);
-            *range = Range { most: range.most.max(found.most), least: range.least.min(found.least) };
+    let mut found: BTreeMap<(usize, usize), Differences> = BTreeMap::new();
+    for (i, one) in spans.iter().enumerate() {
+        for two in spans[i + 1..].iter().take_while(|two| two.2[0] <= one.2[2]).filter(|two| two.0 != one.0) {
+            let (one, two) = if one.0 < two.0 { (one, two) } else { (two, one) };
+            let Some(new) = compare(chains, [one, two], scale) else { continue };
+            found.entry((one.0, two.0)).and_modify(|old| *old = old.with(new)).or_insert(new);
         }
     }
-    let below = |((i, j), Range { most, least }): ((usize, usize), Range)| {
-        if most >= -least {
-            Below { lower: j, upper: i, excess: -least }
-        } else {
-            Below { lower: i, upper: j, excess: most }
-        }
-    };
-    ranges.into_iter().map(below).collect()
+    found.into_iter().map(|((i, j), differences)| differences.relation(chains, i, j)).collect()
 }
 
-/// The difference of two spans over their common abscissas, `None` if there are none.
-fn compare(pair: [&Placed; 2], [a, b]: [&[f64; 4]; 2], scale: &Real) -> Option<Range> {
-    if a[1] > b[3] + APART {
-        return overlap(pair).map(|_| Range { most: a[1] - b[3], least: a[1] - b[3] });
+impl Differences {
+    fn with(self, other: Self) -> Self {
+        let join = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].min(b[1])];
+        Self { placed: join(self.placed, other.placed), stored: join(self.stored, other.stored) }
     }
-    if b[1] > a[3] + APART {
-        return overlap(pair).map(|_| Range { most: a[3] - b[1], least: a[3] - b[1] });
+
+    fn relation(self, chains: &[Double], i: usize, j: usize) -> Below {
+        let first_above = if self.stored[0].max(-self.stored[1]) > TOUCH {
+            self.stored[0] >= -self.stored[1]
+        } else {
+            touch(chains, i, j)
+        };
+        if first_above {
+            Below { lower: j, upper: i, excess: -self.placed[1] }
+        } else {
+            Below { lower: i, upper: j, excess: self.placed[0] }
+        }
     }
-    let [left, right] = overlap(pair)?;
-    let difference = |x: &Real| pair[0].ordinate(x, scale) - pair[1].ordinate(x, scale);
-    let parallel = parallel(pair, &left, &right);
-    let mut values = [&left, &right].into_iter().chain(&parallel).map(difference);
+}
+
+/// Whether the first of two chains is to come above the second, when all they have in common is a point where one ends on
+/// the left and the other on the right. All four chains that turn back there must agree, so it is decided by the two turns.
+fn touch(chains: &[Double], i: usize, j: usize) -> bool {
+    let turn = |chain: usize, at_right: bool| {
+        let rightward = chains[chain].stored[0].rightward;
+        if rightward == at_right { chain } else { chains[chain].previous }
+    };
+    let middle = |chain: usize| {
+        chains[chain].stored.iter().map(|path| path.from.x.mid() + path.to.x.mid()).sum::<f64>()
+            / chains[chain].stored.len() as f64
+    };
+    let first_left = middle(i) < middle(j);
+    (turn(i, first_left), i) > (turn(j, !first_left), j)
+}
+
+/// The differences of two spans, given by chain, place in the chain and box, over their common abscissas; `None` if there are
+/// none.
+fn compare(chains: &[Double], pair: [&(usize, usize, [f64; 4]); 2], scale: &Real) -> Option<Differences> {
+    let [a, b] = pair.map(|(_, _, bounds)| bounds);
+    let placed = pair.map(|&(chain, i, _)| &chains[chain].placed[i]);
+    let [left, right] = overlap(placed.map(|p| &p.path))?;
+    if let Some(gap) = [a[1] - b[3], a[3] - b[1]].into_iter().zip([1.0, -1.0]).find(|(gap, sign)| gap * sign > APART) {
+        return Some(Differences { placed: [gap.0; 2], stored: [gap.0; 2] });
+    }
+    let stored = pair.map(|&(chain, i, _)| &chains[chain].stored[i]);
+    let middle = (&left + &right) * 0.5;
+    let along = parallel(placed, &left, &right);
+    Some(Differences {
+        placed: extremes(placed.map(|p| &p.path), [&left, &right].into_iter().chain(&along), scale)?,
+        stored: extremes(stored, [&left, &middle, &right].into_iter(), scale)?,
+    })
+}
+
+/// The greatest and the least difference of the ordinates at some abscissas, rounded outwards.
+fn extremes<'a>(pair: [&Path; 2], at: impl Iterator<Item = &'a Real>, scale: &Real) -> Option<[f64; 2]> {
+    let mut values = at.map(|x| pair[0].ordinate(x, scale) - pair[1].ordinate(x, scale));
     let first = values.next()?;
     let (least, most) = values.fold((first.clone(), first), |(least, most), v| (least.min(&v), most.max(&v)));
-    Some(Range { most: most.hi(), least: least.lo() })
+    Some([most.hi(), least.lo()])
 }
 
 /// The ends of the common range of abscissas, if there may be one: a single abscissa counts.
-fn overlap(pair: [&Placed; 2]) -> Option<[Real; 2]> {
-    let [a, b] = pair.map(|p| if p.rightward { [&p.from().x, &p.to().x] } else { [&p.to().x, &p.from().x] });
+fn overlap(pair: [&Path; 2]) -> Option<[Real; 2]> {
+    let [a, b] = pair.map(Path::range);
     let (left, right) = (a[0].max(b[0]), a[1].min(b[1]));
     (!right.is_below(&left)).then_some([left, right])
 }

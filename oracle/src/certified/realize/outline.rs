@@ -5,7 +5,8 @@ use std::sync::{Arc, OnceLock};
 use rug::Float;
 use rug::float::Round as Direction;
 
-use super::place::{Placed, Round};
+use super::path::Round;
+use super::place::Placed;
 use super::plan::Plan;
 use crate::certified::curve::Curve;
 use crate::certified::piece::{Circle, Piece};
@@ -76,7 +77,7 @@ impl Outline {
         for (index, chain) in chains.iter().enumerate() {
             for span in chain {
                 let points: Vec<Vector> = span.points.iter().map(place).collect();
-                let circle = span.round.as_ref().map(|Round { centre, radius }| Circle {
+                let circle = span.path.round.as_ref().map(|Round { centre, radius }| Circle {
                     centre: place(centre),
                     radius: round(&radius.abs(), precision),
                     left: radius.is_positive(),
@@ -85,7 +86,7 @@ impl Outline {
                     |ends: &[Vector]| Piece { from: ends[0].clone(), to: ends[1].clone(), circle: circle.clone() };
                 pieces.extend(points.windows(2).map(piece));
             }
-            let [from, to] = [end(chain), chains[self.plan.next(index)][0].from()].map(place);
+            let [from, to] = [end(chain), &chains[self.plan.next(index)][0].path.from].map(place);
             pieces.push(Piece { from, to, circle: None });
         }
         pieces
@@ -93,7 +94,7 @@ impl Outline {
 }
 
 fn end(chain: &[Placed]) -> &Vector {
-    chain[chain.len() - 1].to()
+    &chain[chain.len() - 1].path.to
 }
 
 fn rounded(v: &Vector, precision: Precision) -> Vector {

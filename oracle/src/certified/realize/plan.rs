@@ -3,6 +3,8 @@
 use super::chain::{Chain, chains};
 use super::error::RealizeError;
 use super::lift::lifts;
+use super::order::Double;
+use super::path::Path;
 use super::place::{Placed, place};
 use super::stored::StoredRegion;
 use super::track::Track;
@@ -36,10 +38,8 @@ impl Plan {
             all.extend(chains(ring, pieces, up, WORK)?);
         }
         let mut plan = Self { region, up, lifts: vec![0.0; all.len()], chains: all };
-        let placed = plan.placed(WORK);
-        plan.check(&placed)?;
-        let joints: Vec<(usize, usize)> = (0..plan.chains.len()).map(|chain| (chain, plan.next(chain))).collect();
-        plan.lifts = lifts(&placed, &joints, &up.square(WORK).sqrt())?;
+        plan.check()?;
+        plan.lifts = lifts(&plan.doubles(), &up.square(WORK).sqrt())?;
         Ok(plan)
     }
 
@@ -69,8 +69,24 @@ impl Plan {
         self.chains.iter().enumerate().map(one).collect()
     }
 
-    fn check(&self, placed: &[Vec<Placed>]) -> Result<(), RealizeError> {
-        for (chain, spans) in self.chains.iter().zip(placed) {
+    /// The chains after step 2, not lifted, next to the stored ones.
+    #[must_use]
+    pub fn doubles(&self) -> Vec<Double> {
+        let mut doubles: Vec<Double> = Vec::with_capacity(self.chains.len());
+        for (i, chain) in self.chains.iter().enumerate() {
+            let track = self.track(i, WORK);
+            let stored = chain.spans.iter().map(|span| Path::stored(&track, span)).collect();
+            doubles.push(Double { placed: place(&track, chain), stored, previous: 0 });
+        }
+        for i in 0..doubles.len() {
+            doubles[self.next(i)].previous = i;
+        }
+        doubles
+    }
+
+    /// Whether all spans run their way.
+    fn check(&self) -> Result<(), RealizeError> {
+        for (chain, spans) in self.chains.iter().zip(self.placed(WORK)) {
             for (span, placed) in chain.spans.iter().zip(spans) {
                 let piece = span.pieces.start;
                 if !placed.is_sound(self.region.loops[chain.ring][piece].radius > 0.0) {

@@ -6,6 +6,7 @@
 
 use std::ops::Range;
 
+use super::path::Round;
 use super::stored::{Angle, StoredPiece};
 use super::up::Up;
 use crate::certified::precision::Precision;
@@ -83,14 +84,29 @@ impl Track<'_> {
     /// The place of a mark at the end of a span on the circle segment of several pieces, by its two ends alone.
     #[must_use]
     pub fn on(&self, pieces: &Range<usize>, mark: Mark) -> Vector {
-        let (first, last) = (Mark::Tail(pieces.start), Mark::Head(pieces.end - 1));
-        if mark == first || mark == last {
+        if mark == Mark::Tail(pieces.start) || mark == Mark::Head(pieces.end - 1) {
             return self.stored(mark);
         }
+        let (tail, start, ratio) = self.similarity(pieces);
+        &tail + &multiply(&ratio, &(&self.normal(mark) - &start))
+    }
+
+    /// The circle of the circle segment of several pieces, by its two ends alone.
+    #[must_use]
+    pub fn round(&self, pieces: &Range<usize>) -> Round {
+        let (tail, start, ratio) = self.similarity(pieces);
+        let size = ratio.length();
+        let radius = if self.pieces[pieces.start].radius > 0.0 { size } else { -&size };
+        Round { centre: &tail - &multiply(&ratio, &start), radius }
+    }
+
+    /// The tail t, the normal n_a there and the number q of the module's first lines.
+    fn similarity(&self, pieces: &Range<usize>) -> (Vector, Vector, Vector) {
+        let (first, last) = (Mark::Tail(pieces.start), Mark::Head(pieces.end - 1));
         let [tail, head] = [first, last].map(|end| self.stored(end));
         let [start, end] = [first, last].map(|end| self.normal(end));
         let ratio = divide(&(&head - &tail), &(&end - &start));
-        &tail + &multiply(&ratio, &(&self.normal(mark) - &start))
+        (tail, start, ratio)
     }
 }
 
