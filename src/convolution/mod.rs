@@ -22,15 +22,15 @@ pub struct Stop {
     pub angle: Ang,
 }
 
-/// The kinetic convolution of two regions in frames of one scale, with the fill rule applied to every pair of components.
-/// `None` when the sum is the whole plane.
+/// The kinetic convolution of two regions in frames of one scale, with the fill rule applied to every pair of
+/// components. `None` when the sum is the whole plane.
 #[must_use]
 pub fn kinetic(a: &Smooth, b: &Smooth, rounding: Rounding) -> Option<Pieces> {
     collect(a, b, rounding).map(|(sums, base)| sums.finish(base))
 }
 
-/// The places inside the arcs of each operand at which the segments of their kinetic convolution end, in order: where step 1 of
-/// MS 4.2 splits. None when the sum is the whole plane.
+/// The places inside the arcs of each operand at which the segments of their kinetic convolution end, in order: where
+/// step 1 of MS 4.2 splits. Nothing when the sum is the whole plane.
 #[must_use]
 pub fn kinetic_stops(a: &Smooth, b: &Smooth) -> [Vec<Stop>; 2] {
     collect(a, b, Rounding::Correct).map(|(sums, _)| sums.stops()).unwrap_or_default()

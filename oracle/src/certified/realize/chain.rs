@@ -1,9 +1,9 @@
 //! The chains of a stored boundary: maximal runs of spans in one direction (MS 2, with [`Up`] for the vertical).
 //!
 //! A span is a line, or what lies of a circle segment between two points where it turns back. The pieces into which the
-//! engine cuts a circle segment at axis normals make one span again where one of them is short: the rounded point of such
-//! a cut says nothing about the direction of a short piece. Spans parallel to the direction are left out, since step 4
-//! puts them back.
+//! engine cuts a circle segment at axis normals make one span again where one of them is short: the rounded point of
+//! such a cut says nothing about the direction of a short piece. Spans parallel to the direction are left out, since
+//! step 4 puts them back.
 
 use std::cmp::Ordering;
 use std::f64::consts::FRAC_PI_4;
@@ -97,8 +97,8 @@ fn groups(pieces: &[StoredPiece]) -> Vec<Range<usize>> {
     groups
 }
 
-/// Whether a piece continues the circle segment of the one before it and one of them is shorter than an eighth of a turn.
-/// Pieces between two cuts are quarters, so no more than half a circle comes together.
+/// Whether a piece continues the circle segment of the one before it and one of them is shorter than an eighth of a
+/// turn. Pieces between two cuts are quarters, so no more than half a circle comes together.
 fn goes_on(before: &StoredPiece, piece: &StoredPiece) -> bool {
     let arcs = !before.is_line() && !piece.is_line();
     let one = before.edge == piece.edge && before.end == piece.start;
@@ -158,7 +158,8 @@ impl Track<'_> {
         match (some(Ordering::Less), some(Ordering::Greater)) {
             (true, true) => None,
             (false, false) => {
-                // Half a circle from one turning point to the other, without a cut: its middle is left or right of the start.
+                // Half a circle from one turning point to the other, without a cut: its middle is left or right of
+                // the start.
                 let left = self.pieces[marks[0].piece()].radius > 0.0;
                 Some(self.normal(marks[0]).x.is_positive() != left)
             }

@@ -1,10 +1,10 @@
 //! How far a realization is from the boundary that the engine stores (Theorem 1 and Lemma 1 of MS, measured).
 //!
-//! Points are matched as in Lemma 1: by the place on a line, by the angle on a circle segment, and the connections of step
-//! 4 with the point between the chains. On a stored circle segment the difference of matched points is c + q n for a
-//! complex q and the normals n, an arc of the same sweep 2 delta <= 90 degrees as the segment; it exceeds the larger of its ends d, e by
-//! at most its sagitta |e - d| / 2 tan(delta / 2), tan(22.5 degrees) < 0.4143. So the bounds are certified, and the
-//! Hausdorff distance is not above them.
+//! Points are matched as in Lemma 1: by the place on a line, by the angle on a circle segment, and the connections of
+//! step 4 with the point between the chains. On a stored circle segment the difference of matched points is c + q n
+//! for a complex q and the normals n, an arc of the same sweep 2 delta <= 90 degrees as the segment; it exceeds the
+//! larger of its ends d, e by at most its sagitta |e - d| / 2 tan(delta / 2), tan(22.5 degrees) < 0.4143. So the
+//! bounds are certified, and the Hausdorff distance is not above them.
 
 use super::place::Placed;
 use super::plan::{Plan, WORK};
@@ -47,7 +47,8 @@ pub struct ChainMove {
     pub lift: f64,
 }
 
-/// The difference vectors of a chain, in input coordinates, as intervals of doubles: relatively as sharp as they need be.
+/// The difference vectors of a chain, in input coordinates, as intervals of doubles: relatively as sharp as they need
+/// be.
 struct Differences {
     /// Those at the ends of every piece, and whether it is a circle segment.
     pieces: Vec<([Vector; 2], bool)>,

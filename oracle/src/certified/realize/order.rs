@@ -1,8 +1,8 @@
 //! The order of chains from below to above, and by how much they run into each other (MS 4.2, step 3).
 //!
-//! Of two chains over a common abscissa one is above the other on the stored boundary, up to rounding. How far the lower
-//! one pokes through after step 2 is the greatest difference of their ordinates: on two spans it is at an end of the
-//! common range or where they are parallel.
+//! Of two chains over a common abscissa one is above the other on the stored boundary, up to rounding. How far the
+//! lower one pokes through after step 2 is the greatest difference of their ordinates: on two spans it is at an end
+//! of the common range or where they are parallel.
 
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
@@ -27,6 +27,8 @@ pub struct Double {
     pub stored: Vec<Path>,
     /// The chain before it in its loop.
     pub previous: usize,
+    /// The chain after it.
+    pub next: usize,
 }
 
 /// One chain below another.
@@ -36,8 +38,8 @@ pub struct Below {
     pub lower: usize,
     /// The upper chain.
     pub upper: usize,
-    /// The greatest amount by which the lower one is above the upper one after step 2: negative if it nowhere is. An upper
-    /// bound, in the frame.
+    /// The greatest amount by which the lower one is above the upper one after step 2: negative if it nowhere is. An
+    /// upper bound, in the frame.
     pub excess: f64,
 }
 
@@ -89,8 +91,9 @@ impl Differences {
     }
 }
 
-/// Whether the first of two chains is to come above the second, when all they have in common is a point where one ends on
-/// the left and the other on the right. All four chains that turn back there must agree, so it is decided by the two turns.
+/// Whether the first of two chains is to come above the second, when all they have in common is a point where one
+/// ends on the left and the other on the right. All four chains that turn back there must agree, so it is decided by
+/// the two turns.
 fn touch(chains: &[Double], i: usize, j: usize) -> bool {
     let turn = |chain: usize, at_right: bool| {
         let rightward = chains[chain].stored[0].rightward;
@@ -104,8 +107,8 @@ fn touch(chains: &[Double], i: usize, j: usize) -> bool {
     (turn(i, first_left), i) > (turn(j, !first_left), j)
 }
 
-/// The differences of two spans, given by chain, place in the chain and box, over their common abscissas; `None` if there are
-/// none.
+/// The differences of two spans, given by chain, place in the chain and box, over their common abscissas; `None` if
+/// there are none.
 fn compare(chains: &[Double], pair: [&(usize, usize, [f64; 4]); 2], scale: &Real) -> Option<Differences> {
     let [a, b] = pair.map(|(_, _, bounds)| bounds);
     let placed = pair.map(|&(chain, i, _)| &chains[chain].placed[i]);
@@ -137,9 +140,9 @@ fn overlap(pair: [&Path; 2]) -> Option<[Real; 2]> {
     (!right.is_below(&left)).then_some([left, right])
 }
 
-/// The abscissa in the range where two spans are parallel. Where the slopes cannot be told apart at an end, there is nothing to
-/// find: over a stretch on which slopes agree to 2^-400, the difference of ordinates changes by less than 2^-150 of the
-/// radii.
+/// The abscissa in the range where two spans are parallel. Where the slopes cannot be told apart at an end, there is
+/// nothing to find: over a stretch on which slopes agree to 2^-400, the difference of ordinates changes by less than
+/// 2^-150 of the radii.
 fn parallel([a, b]: [&Placed; 2], left: &Real, right: &Real) -> Option<Real> {
     let [at_left, at_right] = [left, right].map(|x| a.slope(x) - b.slope(x));
     match (at_left.sign()?, at_right.sign()?) {

@@ -34,8 +34,8 @@ pub fn shape(plan: &Plan) -> Shape {
     Shape { loops, unbounded: plan.region.unbounded }
 }
 
-/// What is known of every piece without numbers: its loop, whether it starts at a corner, and the corner that its segment
-/// leaves. The order is that of [`Outline::pieces`].
+/// What is known of every piece without numbers: its loop, whether it starts at a corner, and the corner that its
+/// segment leaves. The order is that of [`Outline::pieces`].
 fn sides(plan: &Plan) -> Vec<(usize, bool, usize)> {
     let mut sides = Vec::new();
     for (index, chain) in plan.chains.iter().enumerate() {

@@ -1,7 +1,7 @@
 //! Step 2 of MS 4.2: the spans of a chain with exactly the stored angles.
 //!
-//! A span keeps the abscissas of its ends and is moved to where the one before it ended; its head gets the ordinate that
-//! the angles ask for. All vectors are in the frame of the direction.
+//! A span keeps the abscissas of its ends and is moved to where the one before it ended; its head gets the ordinate
+//! that the angles ask for. All vectors are in the frame of the direction.
 
 use super::chain::{Chain, Span};
 use super::path::{Path, Round};

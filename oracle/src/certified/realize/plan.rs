@@ -76,10 +76,11 @@ impl Plan {
         for (i, chain) in self.chains.iter().enumerate() {
             let track = self.track(i, WORK);
             let stored = chain.spans.iter().map(|span| Path::stored(&track, span)).collect();
-            doubles.push(Double { placed: place(&track, chain), stored, previous: 0 });
+            doubles.push(Double { placed: place(&track, chain), stored, previous: 0, next: self.next(i) });
         }
         for i in 0..doubles.len() {
-            doubles[self.next(i)].previous = i;
+            let next = doubles[i].next;
+            doubles[next].previous = i;
         }
         doubles
     }

@@ -1,5 +1,5 @@
-//! The boundary of a region as an engine stores it, in plain numbers: float points and the normal angles it has given to
-//! them (memo A1, A2).
+//! The boundary of a region as an engine stores it, in plain numbers: float points and the normal angles it has given
+//! to them (memo A1, A2).
 
 /// The angle of a rightward normal: quarter turns from the direction of x plus radians, taken literally.
 #[derive(Clone, Copy, Debug, PartialEq)]

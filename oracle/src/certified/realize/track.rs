@@ -1,8 +1,8 @@
 //! A stored loop at a precision: the exact normals at its marks, and the exact points that the stored numbers mean.
 //!
-//! A circle segment with tail t, head h and normal angles a, b consists of the points t + q (n - n_a), n the unit normals
-//! from a to b and q = (h - t) / (n_b - n_a) as complex numbers (memo A5). A true circle segment has a real q, its signed
-//! radius; the imaginary part is what is wrong with the stored numbers.
+//! A circle segment with tail t, head h and normal angles a, b consists of the points t + q (n - n_a), n the unit
+//! normals from a to b and q = (h - t) / (n_b - n_a) as complex numbers (memo A5). A true circle segment has a real
+//! q, its signed radius; the imaginary part is what is wrong with the stored numbers.
 
 use std::ops::Range;
 

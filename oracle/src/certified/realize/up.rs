@@ -1,8 +1,8 @@
 //! The direction in which chains are adjusted and lifted: what is vertical in MS 4.2.
 //!
-//! MS take the y axis. Any direction serves Theorem 2, and most serve it better: heads are adjusted along it by the error
-//! of the angle over the sine of the angle between piece and direction. A line's stored angle is relatively accurate next
-//! to the axes, so lines do not care; a circle segment next to a vertical tangent does.
+//! MS take the y axis. Any direction serves Theorem 2, and most serve it better: heads are adjusted along it by the
+//! error of the angle over the sine of the angle between piece and direction. A line's stored angle is relatively
+//! accurate next to the axes, so lines do not care; a circle segment next to a vertical tangent does.
 
 use std::cmp::Ordering;
 use std::f64::consts::PI;
@@ -15,8 +15,8 @@ use crate::certified::precision::Precision;
 use crate::certified::real::Real;
 use crate::certified::vector::Vector;
 
-/// The direction that plays the vertical's part. Vectors in its frame have the abscissa to its right and the ordinate along
-/// it, both times its length.
+/// The direction that plays the vertical's part. Vectors in its frame have the abscissa to its right and the ordinate
+/// along it, both times its length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Up {
     x: f64,
@@ -27,8 +27,8 @@ impl Up {
     /// The y axis, as MS 4.2 has it.
     pub const VERTICAL: Self = Self { x: 0.0, y: 1.0 };
 
-    /// A direction in the middle of the widest gap between those of all lines and of the ends of all circle segments, so
-    /// that nothing is parallel to it and no end of a circle segment is near to it.
+    /// A direction in the middle of the widest gap between those of all lines and of the ends of all circle segments,
+    /// so that nothing is parallel to it and no end of a circle segment is near to it.
     #[must_use]
     pub fn clear_of(region: &StoredRegion) -> Self {
         let ends = region.loops.iter().flatten().flat_map(|piece| [piece.start, piece.end]);
