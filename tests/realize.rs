@@ -335,3 +335,28 @@ proptest! {
         }
     }
 }
+
+fn points(corners: &[(f64, f64)]) -> Vec<Node> {
+    corners.iter().map(|&(x, y)| Node::line(x, y)).collect()
+}
+
+#[test]
+fn regions_that_touch_themselves_realize() {
+    // Two holes with a common corner, a hole with a corner on that of the outer loop, and a loop that does so.
+    let holes = [[(-3.0, -2.0), (-4.0, 0.0), (-2.0, -1.0)], [(0.0, -2.0), (-2.0, -1.0), (0.0, 0.0)]];
+    let outer = points(&[(3.0, 0.0), (8.0, 4.0), (2.0, 2.0), (-8.0, 3.0), (-4.0, -10.0)]);
+    let apart = Region { loops: vec![outer, points(&holes[0]), points(&holes[1])], ..Region::default() };
+    let outer = points(&[(3.0, 0.0), (2.0, 2.0), (-4.0, 6.0), (-7.0, 0.0), (0.0, -5.0)]);
+    let within = Region { loops: vec![outer, points(&[(0.0, -5.0), (-2.0, -1.0), (0.0, -1.0)])], ..Region::default() };
+    // The loop starts where its bays from the left and the right meet, so that its first and its last chain turn there.
+    let right = [(0.0, 0.0), (2.0, 1.0), (2.0, 2.0), (-2.0, 2.0), (-2.0, 1.0)];
+    let left = right.map(|(x, y): (f64, f64)| (-x, -y));
+    let pinched = single(points(&[right, left].concat()));
+    let outside = within.complement();
+    let regions = [&apart, &within, &outside, &pinched];
+    for region in regions.into_iter().flat_map(|region| both(region, &region.negated())) {
+        let realization = realize_along(&region, Up::clear_of(&region)).expect("a realization");
+        assert!(is_simple(&realization.shape, realization.up));
+        assert!(realization.moved.greatest() < 8.0 * EPS);
+    }
+}

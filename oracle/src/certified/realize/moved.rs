@@ -161,14 +161,40 @@ fn rough(v: &Vector) -> Vector {
 impl Differences {
     fn boundary(&self, translation: &Vector) -> f64 {
         let bound = |(ends, round): &([Vector; 2], bool)| {
-            let [start, end] = ends.each_ref().map(|d| (d - translation).length());
-            let sagitta = if *round { ends[0].distance(&ends[1]) * SAGITTA } else { Real::from(0.0) };
-            (start.max(&end) + sagitta).hi()
+            let ends = ends.each_ref().map(|d| d - translation);
+            if *round { farthest(&ends).hi() } else { ends[0].length().max(&ends[1].length()).hi() }
         };
         self.pieces.iter().map(bound).fold(0.0, f64::max)
     }
 
     fn stops(&self, translation: &Vector) -> f64 {
         self.stops.iter().map(|d| (d - translation).length().hi()).fold(0.0, f64::max)
+    }
+}
+
+/// A bound on the distance to the origin of an arc of at most 90 degrees between two points.
+fn farthest(ends: &[Vector; 2]) -> Real {
+    ends[0].length().max(&ends[1].length()) + ends[0].distance(&ends[1]) * SAGITTA
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use std::f64::consts::FRAC_PI_2;
+
+    proptest! {
+        #[test]
+        fn no_point_of_a_quarter_is_farther_than_the_bound(
+            centre in (-2.0..2.0f64, -2.0..2.0f64), radius in 0.0..3.0f64, start in 0.0..7.0f64,
+            sweep in prop_oneof![Just(FRAC_PI_2), 0.0..FRAC_PI_2],
+        ) {
+            let point = |angle: f64| (centre.0 + radius * angle.cos(), centre.1 + radius * angle.sin());
+            let ends = [start, start + sweep].map(point).map(|(x, y)| Vector::new(x, y, Precision::DOUBLE));
+            for i in 0..=16 {
+                let (x, y) = point(start + sweep * f64::from(i) / 16.0);
+                prop_assert!(x.hypot(y) <= farthest(&ends).hi() + 1e-14);
+            }
+        }
     }
 }

@@ -178,3 +178,56 @@ pub fn sorted(count: usize, relations: &[Below]) -> Result<Vec<usize>, RealizeEr
     }
     if order.len() == count { Ok(order) } else { Err(RealizeError::Tangled) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certified::precision::Precision;
+    use crate::certified::realize::path::Round;
+    use crate::certified::vector::Vector;
+    use proptest::prelude::*;
+
+    const FINE: Precision = Precision::LADDER[2];
+
+    fn vector(x: f64, y: f64) -> Vector {
+        Vector::new(x, y, FINE)
+    }
+
+    /// The upper arc of the unit circle between two abscissas, from right to left.
+    fn arc(left: f64, right: f64) -> Placed {
+        let at = |x: f64| Vector { x: vector(x, 0.0).x, y: (vector(1.0, 0.0).x - vector(x, 0.0).x.square()).sqrt() };
+        let ends = [at(right), at(left)];
+        let round = Some(Round { centre: vector(0.0, 0.0), radius: Real::new(1.0, FINE) });
+        let path = Path { from: ends[0].clone(), to: ends[1].clone(), round, rightward: false };
+        Placed { path, points: ends.to_vec(), normals: ends }
+    }
+
+    /// The line of this slope and ordinate at 0 between the same abscissas, from right to left.
+    fn line(slope: f64, height: f64, left: f64, right: f64) -> Placed {
+        let at = |x: f64| Vector { x: vector(x, 0.0).x, y: vector(x, 0.0).x * slope + height };
+        let normal = vector(-slope, 1.0).unit();
+        let path = Path { from: at(right), to: at(left), round: None, rightward: false };
+        Placed { points: vec![at(right), at(left)], path, normals: [normal.clone(), normal] }
+    }
+
+    proptest! {
+        #[test]
+        fn an_arc_is_nearest_to_a_line_where_it_is_parallel(
+            slope in -2.0..2.0f64, height in -1.0..3.0f64, ends in (-0.99..0.99f64, -0.99..0.99f64),
+        ) {
+            let (left, right) = (ends.0.min(ends.1), ends.0.max(ends.1));
+            prop_assume!(right - left > 1e-3);
+            let pair = [&line(slope, height, left, right), &arc(left, right)];
+            let [x0, x1] = overlap(pair.map(|p| &p.path)).expect("one range");
+            let along = parallel(pair, &x0, &x1);
+            let scale = Real::from(1.0);
+            let found = extremes(pair.map(|p| &p.path), [&x0, &x1].into_iter().chain(&along), &scale).expect("values");
+            // The tangent of the circle with this slope touches it at -slope / h and has the ordinate h at 0.
+            let h = slope.hypot(1.0);
+            let inside = left < -slope / h && -slope / h < right;
+            let at = |x: f64| height + slope * x - (1.0 - x * x).sqrt();
+            let least = if inside { height - h } else { at(left).min(at(right)) };
+            prop_assert!((found[1] - least).abs() < 1e-12 && (found[0] - at(left).max(at(right))).abs() < 1e-12);
+        }
+    }
+}
