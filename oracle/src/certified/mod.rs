@@ -24,6 +24,7 @@ pub mod piece;
 pub mod precision;
 pub mod reach;
 pub mod real;
+pub mod realize;
 pub mod reference;
 pub mod shape;
 pub mod slabs;
