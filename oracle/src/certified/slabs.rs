@@ -123,7 +123,7 @@ impl<'a> Sweep<'a> {
             }
         }
         self.pass_uprights(strip, &before);
-        self.blur = self.blur.max(uprights::blur(self.strips, self.curves, strip, &before, &self.order));
+        self.blur = self.blur.max(uprights::blur(self.strips, self.curves, self.second, strip, &before, &self.order));
         self.regroup(strip)
     }
 

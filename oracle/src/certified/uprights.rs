@@ -94,23 +94,39 @@ pub fn clipped(curve: &Arc<Curve>, x: [Float; 2]) -> Curve {
 }
 
 /// How far a point in this strip may be from a point of the same region beside it: the longest stretch of a curve in the
-/// strip, and all of an upright curve that is so close to another that nothing of a region between them reaches out.
-pub fn blur(strips: &Strips, curves: &[Arc<Curve>], strip: usize, before: &[usize], after: &[usize]) -> f64 {
+/// strip, and the height in which two upright curves of the same region are so close that nothing between them reaches out.
+/// The curves from `second` on belong to the second region.
+pub fn blur(
+    strips: &Strips,
+    curves: &[Arc<Curve>],
+    second: usize,
+    strip: usize,
+    before: &[usize],
+    after: &[usize],
+) -> f64 {
     let upright = |&&curve: &&usize| strips.spans[curve] == [strip; 2];
     let uprights: Vec<usize> = strips.involved[strip].iter().filter(upright).copied().collect();
-    let apart = |i: usize, j: usize| {
-        let [p, q] = [i, j].map(|k| &curves[k].at(LIMIT).from.x);
-        (p - q).sign().is_some_and(|order| order.is_ne())
-    };
-    let squeezed = |k: usize| uprights[..k].iter().any(|&other| apart(uprights[k], other));
-    let lost = (0..uprights.len()).filter(|&k| squeezed(k)).map(|k| curves[uprights[k]].rough().chord().length().hi());
-    let lost = lost.fold(0.0, f64::max);
+    let pairs = uprights.iter().enumerate().flat_map(|(k, &i)| uprights[..k].iter().map(move |&j| (i, j)));
+    let of_one_region = pairs.filter(|&(i, j)| (i < second) == (j < second));
+    let lost = of_one_region.map(|(i, j)| squeezed(&curves[i], &curves[j])).fold(0.0, f64::max);
     let width = strips.width(strip);
     let stretch = |&curve: &usize| {
         let bound = steepest(&curves[curve], width);
         if bound < SHORT { bound } else { rise(strips, curves, strip, curve) }
     };
     before.iter().chain(after).map(stretch).fold(lost, f64::max)
+}
+
+/// The height in which a region may lie between two upright curves of one strip: 0 if they have the same abscissa or are
+/// one above the other.
+fn squeezed(first: &Curve, second: &Curve) -> f64 {
+    let [p, q] = [first, second].map(|curve| curve.at(LIMIT));
+    if (&p.from.x - &q.from.x).sign().is_none_or(|order| order.is_eq()) {
+        return 0.0;
+    }
+    let [(low, high), (bottom, top)] =
+        [p, q].map(|piece| (piece.from.y.min(&piece.to.y), piece.from.y.max(&piece.to.y)));
+    (high.min(&top) - low.max(&bottom)).hi().max(0.0)
 }
 
 /// A bound of the height of a stretch of a curve of this width.
