@@ -89,12 +89,22 @@ impl<'a> Reach<'a> {
         for &edge in &tried {
             bound = bound.min(outline.reach(self.boundary.curve(edge).at(FINE)));
         }
+        if bound > self.reached.0 * TIGHT {
+            bound = bound.min(self.bound_between(&outline, &tried));
+        }
         let own = |wall| tried.iter().any(|&edge| std::sync::Arc::ptr_eq(self.boundary.curve(edge), wall));
         if cell.walls().iter().all(own) {
             bound = bound.min(outline.half_gap(&cell));
         }
         let cut = self.cut(&outline, &tried, bound);
         self.open.push(Candidate { bound, cell, cut });
+    }
+
+    /// The best bound of two pieces that the cell may lie between.
+    fn bound_between(&self, outline: &Outline, near: &[usize]) -> f64 {
+        let pieces: Vec<_> = near.iter().map(|&edge| self.boundary.curve(edge).at(FINE)).collect();
+        let pairs = (0..pieces.len()).flat_map(|i| (0..i).map(move |j| [i, j]));
+        pairs.map(|pair| outline.reach_between(pair.map(|i| pieces[i]))).fold(f64::INFINITY, f64::min)
     }
 
     /// Where to cut a cell: just inside the end of a piece near it, so that the piece serves one part alone, else in the
