@@ -90,6 +90,16 @@ impl Cell {
         Some(Outline { corners, stretches, bounds })
     }
 
+    /// A point between the walls, in the middle of the box across; `None` if it is not certain to be in the cell.
+    #[must_use]
+    pub fn inner(&self) -> Option<Vector> {
+        let x = (&self.x[0] + &self.x[1]) * 0.5;
+        let [lower, upper] = self.walls.each_ref().map(|wall| wall.at(FINE).ordinate(&x));
+        let (low, high) = (lower.max(&self.y[0]), upper.min(&self.y[1]));
+        let y = (&low + &high) * 0.5;
+        (low.is_below(&y) && y.is_below(&high)).then_some(Vector { x, y })
+    }
+
     /// The end of a wall at the left or right side, moved along the wall into the box; `None` if the wall certainly does not
     /// pass the box.
     fn clamped(&self, wall: &Arc<Curve>, side: usize, y: &Real) -> Option<Vector> {
