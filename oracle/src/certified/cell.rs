@@ -90,6 +90,16 @@ impl Cell {
         Some(Outline { corners, stretches, bounds })
     }
 
+    /// A point between the walls, in the middle of the box across; `None` if it is not certain to be in the cell.
+    #[must_use]
+    pub fn inner(&self) -> Option<Vector> {
+        let x = (&self.x[0] + &self.x[1]) * 0.5;
+        let [lower, upper] = self.walls.each_ref().map(|wall| wall.at(FINE).ordinate(&x));
+        let (low, high) = (lower.max(&self.y[0]), upper.min(&self.y[1]));
+        let y = (&low + &high) * 0.5;
+        (low.is_below(&y) && y.is_below(&high)).then_some(Vector { x, y })
+    }
+
     /// The end of a wall at the left or right side, moved along the wall into the box; `None` if the wall certainly does not
     /// pass the box.
     fn clamped(&self, wall: &Arc<Curve>, side: usize, y: &Real) -> Option<Vector> {
@@ -219,6 +229,56 @@ impl Outline {
         ends.min(offset.max(&Real::from(0.0)).hi() + SLIP)
     }
 
+    /// An upper bound of the distance of the points of the cell to the nearer one of two pieces: half the sum of both
+    /// distances. It is sharp in a slit, straight or curved, where no piece is the nearest one everywhere.
+    #[must_use]
+    pub fn reach_between(&self, pieces: [&Piece; 2]) -> f64 {
+        if !pieces.iter().all(|piece| self.is_spanned(piece)) {
+            return f64::INFINITY;
+        }
+        let [Some(first), Some(second)] = pieces.map(|piece| self.beyond(piece)) else { return f64::INFINITY };
+        let middle = self.middle();
+        let radius = self.farthest(&middle);
+        let [a, b] = [(first, pieces[0]), (second, pieces[1])].map(|(side, piece)| Slope::new(piece, side, &middle));
+        let rise = match (&pieces[0].circle, &pieces[1].circle) {
+            // The directions from two centres differ by at most 2|c-d| / (|p-c| + |p-d|).
+            (Some(c), Some(d)) if first != second => {
+                let arms = [c, d].map(|circle| middle.distance(&circle.centre) - &radius);
+                let [near, far] = &arms;
+                if arms.iter().all(Real::is_positive) {
+                    c.centre.distance(&d.centre) * &radius * 2.0 / (near + far)
+                } else {
+                    Real::from(f64::INFINITY)
+                }
+            }
+            _ => {
+                let bend = a.bend(&radius) + b.bend(&radius);
+                &radius * &((&a.direction + &b.direction).length() + &radius * &bend * 0.5)
+            }
+        };
+        ((a.height + b.height + rise) * 0.5).hi() + 2.0 * SLIP
+    }
+
+    /// On which side of a piece's carrier the cell lies: true left of a line or outside a circle; `None` if on both.
+    fn beyond(&self, piece: &Piece) -> Option<bool> {
+        match &piece.circle {
+            None => {
+                let across = piece.chord().left();
+                let limit = SLIP * across.length().lo();
+                if self.support(&piece.from, &-&across).hi() <= limit {
+                    return Some(true);
+                }
+                (self.support(&piece.from, &across).hi() <= limit).then_some(false)
+            }
+            Some(circle) => {
+                if (&circle.radius - self.nearest(&circle.centre)).hi() <= SLIP {
+                    return Some(true);
+                }
+                ((self.farthest(&circle.centre) - &circle.radius).hi() <= SLIP).then_some(false)
+            }
+        }
+    }
+
     /// An upper bound of half the height between the walls: how far any point of the cell is from the nearer one.
     #[must_use]
     pub fn half_gap(&self, cell: &Cell) -> f64 {
@@ -236,6 +296,41 @@ impl Outline {
         }
         let gap = self.stretches.iter().fold(gap, |gap, stretch| gap + sag(stretch));
         (gap * 0.5).hi()
+    }
+}
+
+/// The distance from a carrier, positive on one of its sides, near a point.
+struct Slope {
+    height: Real,
+    /// In which it grows, of length 1.
+    direction: Vector,
+    /// The distance of the point from the centre of a circle.
+    arm: Option<Real>,
+}
+
+impl Slope {
+    fn new(piece: &Piece, side: bool, point: &Vector) -> Self {
+        let (height, direction, arm) = match &piece.circle {
+            None => {
+                let normal = piece.chord().left().unit();
+                (normal.dot(&(point - &piece.from)), normal, None)
+            }
+            Some(circle) => {
+                let arm = point - &circle.centre;
+                let length = arm.length();
+                (&length - &circle.radius, arm.unit(), Some(length))
+            }
+        };
+        if side { Self { height, direction, arm } } else { Self { height: -&height, direction: -&direction, arm } }
+    }
+
+    /// How fast the direction turns at most within so far of the point.
+    fn bend(&self, radius: &Real) -> Real {
+        match &self.arm {
+            None => Real::from(0.0),
+            Some(arm) if radius.is_below(arm) => Real::from(1.0) / (arm - radius),
+            Some(_) => Real::from(f64::INFINITY),
+        }
     }
 }
 

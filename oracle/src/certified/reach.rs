@@ -28,7 +28,7 @@ const TRIED: usize = 4;
 pub struct Reach<'a> {
     boundary: &'a Nearest<'a>,
     open: BinaryHeap<Candidate>,
-    /// The greatest distance found at a corner, rounded down, and that corner.
+    /// The greatest distance found at a point of a cell, rounded down, and that point.
     reached: (f64, Option<Vector>),
 }
 
@@ -75,13 +75,13 @@ impl<'a> Reach<'a> {
         let Some(outline) = cell.outline() else { return };
         let mut bound = f64::INFINITY;
         let mut tried: Vec<usize> = Vec::new();
-        let middle = outline.middle();
-        for (corner, inner) in outline.corners.iter().map(|c| (c, true)).chain([(&middle, false)]) {
-            let Some((distance, near)) = self.boundary.distance(corner) else { continue };
-            if inner && distance.lo() > self.reached.0 {
-                self.reached = (distance.lo(), Some(corner.clone()));
+        let inner = cell.inner();
+        for point in outline.corners.iter().chain(&inner) {
+            let Some((distance, near)) = self.boundary.distance(point) else { continue };
+            if distance.lo() > self.reached.0 {
+                self.reached = (distance.lo(), Some(point.clone()));
             }
-            bound = bound.min((distance + outline.farthest(corner)).hi());
+            bound = bound.min((distance + outline.farthest(point)).hi());
             tried.extend(near.into_iter().take(TRIED));
         }
         tried.sort_unstable();
@@ -89,12 +89,22 @@ impl<'a> Reach<'a> {
         for &edge in &tried {
             bound = bound.min(outline.reach(self.boundary.curve(edge).at(FINE)));
         }
+        if bound > self.reached.0 * TIGHT {
+            bound = bound.min(self.bound_between(&outline, &tried));
+        }
         let own = |wall| tried.iter().any(|&edge| std::sync::Arc::ptr_eq(self.boundary.curve(edge), wall));
         if cell.walls().iter().all(own) {
             bound = bound.min(outline.half_gap(&cell));
         }
         let cut = self.cut(&outline, &tried, bound);
         self.open.push(Candidate { bound, cell, cut });
+    }
+
+    /// The best bound of two pieces that the cell may lie between.
+    fn bound_between(&self, outline: &Outline, near: &[usize]) -> f64 {
+        let pieces: Vec<_> = near.iter().map(|&edge| self.boundary.curve(edge).at(FINE)).collect();
+        let pairs = (0..pieces.len()).flat_map(|i| (0..i).map(move |j| [i, j]));
+        pairs.map(|pair| outline.reach_between(pair.map(|i| pieces[i]))).fold(f64::INFINITY, f64::min)
     }
 
     /// Where to cut a cell: just inside the end of a piece near it, so that the piece serves one part alone, else in the
@@ -106,7 +116,8 @@ impl<'a> Reach<'a> {
         let middle = coordinate(&outline.middle());
         let length = if across_x { width } else { height };
         let margin = Real::from(4.0 * self.reached.0.max(bound.min(1e-12)));
-        let inner = |at: &Real| (at - &middle).abs().is_below(&(&length * 0.499_999));
+        // Halving would take as many cuts to get to the end of a long thin cell as it takes halves.
+        let inner = |at: &Real| (at - &middle).abs().is_below(&((&length - &margin) * 0.5));
         for &edge in near {
             let piece = self.boundary.curve(edge).at(FINE);
             for (end, other) in [(&piece.from, &piece.to), (&piece.to, &piece.from)] {
