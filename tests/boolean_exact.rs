@@ -122,7 +122,7 @@ fn check_integers(a: &Region, b: &Region, n: i32) -> Result<(), TestCaseError> {
 }
 
 proptest! {
-    #![proptest_config(cases(200))]
+    #![proptest_config(cases(120))]
 
     #[test]
     fn general_position(a in sided(polygons(Lattice::Fine)), b in sided(polygons(Lattice::Fine))) {
@@ -218,7 +218,7 @@ proptest! {
 
 // Slivers are dear to judge.
 proptest! {
-    #![proptest_config(cases(60))]
+    #![proptest_config(cases(30))]
 
     /// Results may have slivers whose loops cross or lie on the wrong side by a rounding.
     #[test]
