@@ -1,5 +1,6 @@
 //! Shared inputs and judges of the integration tests.
 
+pub mod boundary;
 mod draw;
 pub mod fiber;
 pub mod precise;

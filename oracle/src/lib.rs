@@ -8,6 +8,7 @@ pub mod backward;
 pub mod boolean;
 pub mod boxes;
 pub mod cells;
+pub mod certified;
 pub mod convex;
 pub mod convolve;
 pub mod cover;

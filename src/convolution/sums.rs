@@ -1,12 +1,13 @@
 //! Sum segments under construction: their vertices get identities, their arcs the orientation of memo B1.
 
+use super::Stop;
 use crate::angle::Ang;
 use crate::arc::Arc;
 use crate::piece::{Piece, Pieces, Source};
 use crate::smooth::{Kind, Seg, Smooth};
 use crate::sum3::Rounding;
 use glam::DVec2;
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 /// Sums of radii up to this, in the unit box, make lines: the circle is no larger than a few roundings.
 const TINY_RADIUS: f64 = 8.0 * f64::EPSILON;
@@ -59,6 +60,18 @@ impl<'a> Sums<'a> {
     pub fn finish(mut self, base: i32) -> Pieces {
         self.pieces.base = [base, 0];
         self.pieces
+    }
+
+    /// The places inside arcs of each operand at which pieces end, in order.
+    #[must_use]
+    pub fn stops(&self) -> [Vec<Stop>; 2] {
+        let inside = |site: &Site| match *site {
+            Site::Vertex(_) => None,
+            Site::Inside(of_loop, seg, angle) => Some(Stop { of_loop: of_loop as usize, seg: seg as usize, angle }),
+        };
+        let first: BTreeSet<Stop> = self.vertices.keys().filter_map(|(site, _)| inside(site)).collect();
+        let second: BTreeSet<Stop> = self.vertices.keys().filter_map(|(_, site)| inside(site)).collect();
+        [first, second].map(|stops| stops.into_iter().collect())
     }
 
     /// Adds a line of A and an arc or turn of B that has its angle.

@@ -1,8 +1,12 @@
 //! Inputs for the tests: small regions full of coincidences, random polygons, and the fork of the memo's section J5.
 #![allow(dead_code, reason = "every test binary uses its own part of this module")]
 
+pub mod outline;
+
 use std::cmp::Ordering;
 
+use arcsum_oracle::certified::vector::Vector;
+use arcsum_oracle::enclose::{Enclosure, enclose};
 use arcsum_oracle::number::Number;
 use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
 use arcsum_oracle::point::Point;
@@ -93,7 +97,15 @@ pub fn radial(n: std::ops::Range<usize>) -> impl Strategy<Value = PlainRegion> {
 
 /// The complement of a region, its loops reversed.
 pub fn complement(region: &PlainRegion) -> PlainRegion {
-    let back = |ring: &Vec<Corner>| ring.iter().rev().copied().collect();
+    let reverse = |bend| match bend {
+        Bend::Line => Bend::Line,
+        Bend::Radius(radius) => Bend::Radius(-radius),
+        Bend::Bulge(bulge) => Bend::Bulge(-bulge),
+    };
+    let back = |ring: &Vec<Corner>| {
+        let before = |k: usize| ring[(k + ring.len() - 1) % ring.len()].bend;
+        (0..ring.len()).rev().map(|k| Corner { bend: reverse(before(k)), ..ring[k] }).collect()
+    };
     PlainRegion { loops: region.loops.iter().map(back).collect(), unbounded: !region.unbounded }
 }
 
@@ -121,4 +133,32 @@ pub fn fork(p: u32) -> (PlainRegion, PlainRegion, f64) {
     }
     let region = |loops| PlainRegion { loops, unbounded: false };
     (region(a), region(b), coarse)
+}
+
+/// A disc as two half circles; a hole of that shape for a negative radius.
+pub fn disc(x: f64, y: f64, r: f64) -> Vec<Corner> {
+    let bulge = Bend::Bulge(1f64.copysign(r));
+    let corner = |x| Corner { x, y, bend: bulge };
+    vec![corner(x - r.abs()), corner(x + r.abs())]
+}
+
+/// A ring of random arcs: bulges of both signs over a regular polygon. Each turns away from its chord by less than half of
+/// the angle of a triangle, so that neighbours do not cross.
+pub fn bulged() -> impl Strategy<Value = PlainRegion> {
+    prop::collection::vec(-0.26..0.26f64, 3..9).prop_map(|bulges| {
+        let n = bulges.len() as f64;
+        let turn = |k: usize| (k as f64 / n * std::f64::consts::TAU).sin_cos();
+        let corner = |(k, bulge): (usize, f64)| Corner { x: turn(k).1, y: turn(k).0, bend: Bend::Bulge(bulge) };
+        PlainRegion { loops: vec![bulges.into_iter().enumerate().map(corner).collect()], unbounded: false }
+    })
+}
+
+/// Polygons inside and around a region.
+pub fn enclosed(region: &PlainRegion, pieces: usize) -> Enclosure<rug::Rational> {
+    enclose(region, pieces).expect("the test's region is sound")
+}
+
+/// The box around two points.
+pub fn hull(a: &Vector, b: &Vector) -> Vector {
+    Vector { x: a.x.hull(&b.x), y: a.y.hull(&b.y) }
 }

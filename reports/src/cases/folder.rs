@@ -1,7 +1,7 @@
 //! The cases of files and folders.
 //!
-//! A folder is a family: the pairs `pairs.csv` names, then each region with its own partners. Without `pairs.csv` each
-//! region also meets the next one. Folders in a folder are families of their own. Files named on their own are treated
+//! A folder is a family: the pairs that `pairs.csv` in it or in its parent names, then each region with its own partners.
+//! Where none is named each region also meets the next one. Folders in a folder are families of their own. Files named on their own are treated
 //! like a folder without `pairs.csv`.
 
 use super::Case;
@@ -49,7 +49,7 @@ pub fn folder(path: &Path) -> Result<Found, BadFile> {
             Some(csv) => pairs(&csv, path, &family)?,
             None => Vec::new(),
         };
-        let paired = listing(path).is_some();
+        let paired = !listed.is_empty();
         for case in listed {
             match case {
                 Ok(case) => found.cases.push(case),

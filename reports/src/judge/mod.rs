@@ -3,12 +3,16 @@
 mod arcs;
 pub mod golden;
 pub mod polygon;
+mod realized;
 pub mod result;
 pub mod why;
 
+use crate::bridge::unit;
 use crate::cases::Case;
 use crate::engine::Answer;
+use crate::engine::registry::BUILT_IN;
 use crate::row::{Status, number};
+use arcsum_oracle::measure::{Bracket, Direction};
 use serde::{Deserialize, Serialize};
 
 /// What the references found out about an answer.
@@ -22,6 +26,9 @@ pub struct Judgement {
     /// Upper bound of it.
     #[serde(default, with = "number")]
     pub mu_hi: Option<f64>,
+    /// Bounds of the distance to the sum of the realizations.
+    #[serde(default)]
+    pub mu_realized: Option<[f64; 2]>,
     /// `result` or `sum`: where the point that attains the lower bound lies.
     pub direction: Option<String>,
     /// That point, in input units.
@@ -44,12 +51,38 @@ impl Judgement {
             status: Status::Undecided,
             mu_lo: None,
             mu_hi: None,
+            mu_realized: None,
             direction: None,
             witness: None,
             exact_loops: None,
             failed_checks: Vec::new(),
             note: note.into(),
             golden: None,
+        }
+    }
+
+    /// What a certified bracket says: its numbers, whether the loops are as many as those of the reference if that is known,
+    /// and a sentence made of what explains them and of a remark.
+    #[must_use]
+    fn measured(case: &Case, answer: &Answer, bracket: Bracket, loops: Option<usize>, remark: String) -> Self {
+        let (x, y) = bracket.witness;
+        let differ = loops.is_some_and(|loops| loops != answer.region.loops.len());
+        let sentences = [
+            why::short_bits(case, answer, bracket.hi, unit(&case.a, &case.b)),
+            loops.map_or_else(String::new, |loops| why::other_loops(answer, loops)),
+            remark,
+        ];
+        let direction = if bracket.direction == Direction::FromResult { "result" } else { "sum" };
+        Self {
+            status: Status::Ok,
+            mu_lo: Some(bracket.lo),
+            // Zero may come with a minus.
+            mu_hi: Some(bracket.hi + 0.0),
+            direction: Some(direction.to_owned()),
+            witness: (x.is_finite() && y.is_finite()).then_some([x, y]),
+            exact_loops: loops.map(|loops| loops as u64),
+            failed_checks: if differ { vec!["loops".into()] } else { Vec::new() },
+            ..Self::undecided(sentences.into_iter().filter(|s| !s.is_empty()).collect::<Vec<_>>().join("; "))
         }
     }
 }
@@ -59,6 +92,9 @@ impl Judgement {
 pub fn judge(case: &Case, engine: &str, answer: &Answer) -> Judgement {
     let mut judgement =
         if case.is_polygonal() { polygon::judge(case, engine, answer) } else { arcs::judge(case, answer) };
+    if BUILT_IN.contains(&engine) && judgement.status == Status::Ok {
+        judgement.mu_realized = realized::measure(case, answer).map(|found| [found.lo, found.hi]);
+    }
     judgement.failed_checks.extend(result::failed_checks(&answer.region));
     judgement
 }

@@ -1,0 +1,137 @@
+//! The certified region Hausdorff distance of two regions bounded by lines and circle segments (memo I6).
+//!
+//! The differences of the two regions are cut into trapezoids ([`super::slabs`]), and how far these reach from the other
+//! region is bracketed ([`super::reach`]). As for polygons ([`crate::measure`]), only points of a difference have a positive
+//! distance to the other region, it is the one to the other region's boundary, and the corners that give the lower bound
+//! belong to the closed difference.
+//!
+//! `hi` is at most 1/32 or 2^-60 above `lo`, unless the search runs out of cuts; then the bracket is wider and still valid.
+
+use super::nearest::Nearest;
+use super::reach::Reach;
+use super::shape::Shape;
+use super::slabs::{Differences, Layer, differences};
+use super::strips::Span;
+use super::vector::Vector;
+use crate::error::OracleError;
+use crate::measure::{Bracket, Direction};
+
+/// A bracket is not refined further when it is this narrow.
+const FLOOR: f64 = 1.0 / (1u64 << 60) as f64;
+
+/// What the places where curves meet may hide ([`super::meet::CLUSTER`]), with room to spare.
+const HIDDEN: f64 = 1.0 / (1u128 << 80) as f64;
+
+/// A region as the pieces of its boundary in any order.
+#[derive(Clone, Debug, Default)]
+pub struct Outline {
+    /// Closed loops with the interior, the points of winding number other than 0, on the left.
+    pub pieces: Vec<Span>,
+    /// Whether everything far away belongs to the region.
+    pub unbounded: bool,
+}
+
+impl From<&Shape> for Outline {
+    fn from(shape: &Shape) -> Self {
+        Self { pieces: shape.sides().map(|side| Span::from(&side.curve)).collect(), unbounded: shape.unbounded }
+    }
+}
+
+/// What was found about the distance of two regions.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// The bracket.
+    pub bracket: Bracket,
+    /// Its witness, as finely as it is known.
+    pub place: Option<Vector>,
+}
+
+/// A certified bracket of the distance between a result and the region it should be, in the units of their coordinates;
+/// `None` if it is undecided how two of the curves meet. It is infinite if one region is unbounded or empty and the other
+/// is not.
+///
+/// # Errors
+/// [`OracleError::BadNumber`] for coordinates too large for doubles, [`OracleError::Inconsistent`] for boundaries that do
+/// not close.
+pub fn between(result: &Outline, truth: &Outline) -> Result<Option<Found>, OracleError> {
+    let layers = [result, truth].map(|o| Layer { pieces: &o.pieces, base: i32::from(o.unbounded) });
+    let Some(found) = differences(layers)? else { return Ok(None) };
+    // A bounded region without any part of the plane to its edges is empty, an unbounded one the plane.
+    let empty = [0, 1].map(|i| found.edges[i].is_empty() && layers[i].base == 0);
+    if result.unbounded != truth.unbounded || empty[0] != empty[1] {
+        let more = (result.unbounded && !truth.unbounded) || empty[1];
+        let direction = if more { Direction::FromResult } else { Direction::FromSum };
+        let witness = (f64::NAN, f64::NAN);
+        let bracket = Bracket { lo: f64::INFINITY, hi: f64::INFINITY, direction, witness };
+        return Ok(Some(Found { bracket, place: None }));
+    }
+    bracket(&found).map(Some)
+}
+
+/// The bracket over all trapezoids of both differences.
+fn bracket(found: &Differences) -> Result<Found, OracleError> {
+    let [of_result, of_truth] = &found.edges;
+    let (to_truth, to_result) = (Nearest::new(of_truth)?, Nearest::new(of_result)?);
+    let mut forth = Reach::new(&to_truth, &found.parts[0]);
+    let mut back = Reach::new(&to_result, &found.parts[1]);
+    let known = forth.reached().0.max(back.reached().0);
+    let hi = forth.refine(known, FLOOR).max(back.refine(known, FLOOR));
+    let (direction, search) =
+        if forth.reached().0 >= back.reached().0 { (Direction::FromResult, forth) } else { (Direction::FromSum, back) };
+    let (lo, place) = search.reached();
+    let witness = place.map_or((f64::NAN, f64::NAN), Vector::nearest);
+    let hidden = found.blur + HIDDEN;
+    let bracket = Bracket { lo: (lo - hidden).max(0.0), hi: hi.max(lo) + hidden, direction, witness };
+    Ok(Found { bracket, place: place.cloned() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plain::{Bend, Corner, PlainRegion};
+
+    fn region(corners: &[(f64, f64, f64)]) -> Outline {
+        let corner = |&(x, y, bulge): &(f64, f64, f64)| Corner {
+            x,
+            y,
+            bend: if bulge == 0.0 { Bend::Line } else { Bend::Bulge(bulge) },
+        };
+        let plain = PlainRegion { loops: vec![corners.iter().map(corner).collect()], unbounded: false };
+        Outline::from(&Shape::new(&plain).expect("valid"))
+    }
+
+    fn disc(x: f64, radius: f64) -> Outline {
+        region(&[(x - radius, 0.0, 1.0), (x + radius, 0.0, 1.0)])
+    }
+
+    fn measured(a: &Outline, b: &Outline) -> Bracket {
+        between(a, b).expect("consistent").expect("decided").bracket
+    }
+
+    fn holds(bracket: &Bracket, truth: f64) {
+        assert!(bracket.lo <= truth && truth <= bracket.hi, "{truth:e} in {bracket:?}");
+        assert!(bracket.hi <= bracket.lo * 1.04 || bracket.hi - bracket.lo < 2f64.powi(-58), "{bracket:?}");
+    }
+
+    #[test]
+    fn concentric_discs_differ_by_their_radii() {
+        for k in [1, 3, 10, 30, 48] {
+            let d = 2f64.powi(-k);
+            holds(&measured(&disc(0.0, 1.0), &disc(0.0, 1.0 - d)), d);
+            holds(&measured(&disc(0.0, 1.0 - d), &disc(0.0, 1.0)), d);
+            holds(&measured(&disc(d, 1.0), &disc(0.0, 1.0)), d);
+        }
+        holds(&measured(&disc(0.0, 1.0), &disc(0.0, 1.0)), 0.0);
+    }
+
+    #[test]
+    fn squares_moved_a_little() {
+        let square =
+            |x: f64, y: f64| region(&[(x, y, 0.0), (x + 1.0, y, 0.0), (x + 1.0, y + 1.0, 0.0), (x, y + 1.0, 0.0)]);
+        for k in [2, 10, 30, 50] {
+            let d = 2f64.powi(-k);
+            holds(&measured(&square(d, 0.0), &square(0.0, 0.0)), d);
+            holds(&measured(&square(d, d), &square(0.0, 0.0)), d * 2f64.sqrt());
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! A point that is computed when it is asked for, at the precision that is asked for.
+
+use std::fmt;
+use std::sync::Arc;
+
+use super::precision::Precision;
+use super::vector::Vector;
+
+/// How a point follows from the numbers of the case.
+type Recipe = Arc<dyn Fn(Precision) -> Vector + Send + Sync>;
+
+/// A point at every precision of the ladder. Nothing is kept, so ask once per question and precision.
+#[derive(Clone)]
+pub struct Spot {
+    recipe: Recipe,
+}
+
+impl Spot {
+    /// The point that this recipe gives. At every precision it must be the same point of the plane.
+    pub fn new(recipe: impl Fn(Precision) -> Vector + Send + Sync + 'static) -> Self {
+        Self { recipe: Arc::new(recipe) }
+    }
+
+    /// The point of these two doubles.
+    #[must_use]
+    pub fn exact(x: f64, y: f64) -> Self {
+        Self::new(move |p| Vector::new(x, y, p))
+    }
+
+    /// The point known to this precision.
+    #[must_use]
+    pub fn at(&self, precision: Precision) -> Vector {
+        (self.recipe)(precision)
+    }
+}
+
+impl fmt::Debug for Spot {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.at(Precision::DOUBLE).fmt(f)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_spot_is_as_fine_as_it_is_asked_for() {
+        let unit = Spot::new(|p| Vector::new(2.0, 1.0, p).unit());
+        let excess = |p| unit.at(p).square() - 1.0;
+        assert!(excess(Precision::LADDER[2]).is_within(-240) && !excess(Precision::DOUBLE).is_within(-60));
+        let exact = Spot::exact(0.1, -3.0).at(Precision::LADDER[1]);
+        assert_eq!((exact.x.lo(), exact.x.hi(), exact.y.lo()), (0.1, 0.1, -3.0));
+    }
+}
