@@ -3,14 +3,12 @@
 mod arcs;
 pub mod golden;
 pub mod polygon;
-mod realized;
 pub mod result;
 pub mod why;
 
 use crate::bridge::unit;
 use crate::cases::Case;
 use crate::engine::Answer;
-use crate::engine::registry::BUILT_IN;
 use crate::row::{Status, number};
 use arcsum_oracle::measure::{Bracket, Direction};
 use serde::{Deserialize, Serialize};
@@ -26,9 +24,6 @@ pub struct Judgement {
     /// Upper bound of it.
     #[serde(default, with = "number")]
     pub mu_hi: Option<f64>,
-    /// Bounds of the distance to the sum of the realizations.
-    #[serde(default)]
-    pub mu_realized: Option<[f64; 2]>,
     /// `result` or `sum`: where the point that attains the lower bound lies.
     pub direction: Option<String>,
     /// That point, in input units.
@@ -51,7 +46,6 @@ impl Judgement {
             status: Status::Undecided,
             mu_lo: None,
             mu_hi: None,
-            mu_realized: None,
             direction: None,
             witness: None,
             exact_loops: None,
@@ -92,9 +86,6 @@ impl Judgement {
 pub fn judge(case: &Case, engine: &str, answer: &Answer) -> Judgement {
     let mut judgement =
         if case.is_polygonal() { polygon::judge(case, engine, answer) } else { arcs::judge(case, answer) };
-    if BUILT_IN.contains(&engine) && judgement.status == Status::Ok {
-        judgement.mu_realized = realized::measure(case, answer).map(|found| [found.lo, found.hi]);
-    }
     judgement.failed_checks.extend(result::failed_checks(&answer.region));
     judgement
 }
