@@ -91,6 +91,15 @@ impl Bracket {
         let witness = place.map_or((f64::NAN, f64::NAN), Point::nearest);
         Self { lo: scaled(length.lo()).lo(), hi: scaled(length.hi()).hi(), direction, witness }
     }
+
+    /// The bracket of a distance that may differ from this one by so much, not negative.
+    #[must_use]
+    pub(crate) fn widened(self, by: f64) -> Self {
+        if by == 0.0 {
+            return self;
+        }
+        Self { lo: (self.lo - by).next_down().max(0.0), hi: (self.hi + by).next_up(), ..self }
+    }
 }
 
 /// Bounds of the directed distance, in input units: how far `from` reaches out of `to`, and the point that attains the
@@ -119,4 +128,18 @@ fn differences<Q: Number>(a: &ExactRegion<Q>, b: &ExactRegion<Q>) -> Result<[Vec
     let curves = Curves::of_regions([a, b]);
     let base = [a, b].map(|region| i32::from(region.unbounded()));
     boundaries(&curves, base, [|w| w[0] > 0 && w[1] == 0, |w| w[0] == 0 && w[1] > 0], Budget::NONE)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_bracket_is_widened_by_less_than_its_last_place() {
+        let bracket = Bracket { lo: 0.5, hi: 0.5, direction: Direction::FromSum, witness: (0.0, 0.0) };
+        let wide = bracket.widened(2f64.powi(-80));
+        assert!(wide.lo < 0.5 && wide.hi > 0.5 && wide.hi - wide.lo < 2f64.powi(-51));
+        assert_eq!(bracket.widened(0.0), bracket);
+        assert_eq!(Bracket { lo: 0.0, ..bracket }.widened(1.0).lo, 0.0);
+    }
 }

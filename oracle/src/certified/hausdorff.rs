@@ -81,7 +81,7 @@ fn bracket(found: &Differences) -> Result<Found, OracleError> {
     let (lo, place) = search.reached();
     let witness = place.map_or((f64::NAN, f64::NAN), Vector::nearest);
     let hidden = found.blur + HIDDEN;
-    let bracket = Bracket { lo: (lo - hidden).max(0.0), hi: hi.max(lo) + hidden, direction, witness };
+    let bracket = Bracket { lo, hi: hi.max(lo), direction, witness }.widened(hidden);
     Ok(Found { bracket, place: place.cloned() })
 }
 

@@ -94,9 +94,7 @@ impl Reference {
         let result = Outline::from(&Shape::new(&scaled(result, self.unit)?)?);
         let Some(found) = between(&result, &self.sum)? else { return Ok(None) };
         self.confirm(&found)?;
-        let mut bracket = found.bracket;
-        bracket.lo = (bracket.lo - self.blur).max(0.0);
-        bracket.hi += self.blur;
+        let mut bracket = found.bracket.widened(self.blur);
         bracket.witness = (bracket.witness.0 * self.unit, bracket.witness.1 * self.unit);
         Ok(Some(bracket))
     }

@@ -17,7 +17,8 @@ use proptest::prelude::*;
 pub fn cases(cases: u32) -> ProptestConfig {
     let asked = ProptestConfig::default().cases;
     let factor = if std::env::var_os("PROPTEST_CASES").is_some() { asked.div_ceil(256) } else { 1 };
-    ProptestConfig { cases: cases * factor, failure_persistence: None, ..ProptestConfig::default() }
+    let cases = cases * factor;
+    ProptestConfig { cases, max_global_rejects: 8 * cases, failure_persistence: None, ..ProptestConfig::default() }
 }
 
 /// A plain ring through these points.

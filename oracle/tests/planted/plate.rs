@@ -83,7 +83,9 @@ pub mod errors {
     }
 
     pub fn vertex() -> impl Strategy<Value = Error> {
-        (size(), [-8i32..=8, -8..=8]).prop_map(|(size, normals)| Error::Corner { size, normals })
+        let normals =
+            ([0i32..=8, 0..=8], any::<bool>()).prop_map(|(n, outward)| n.map(|i| if outward { i } else { -i }));
+        (size(), normals).prop_map(|(size, normals)| Error::Corner { size, normals })
     }
 
     pub fn arc() -> impl Strategy<Value = Error> {
