@@ -118,7 +118,7 @@ fn vertices_between_steep_lines_stay_in_order() {
 
 // Bars are dear to judge.
 proptest! {
-    #![proptest_config(cases(60))]
+    #![proptest_config(cases(1000))]
 
     /// Lines that rise by much within one unit in the last place of x: no representable point lies between their ends.
     #[test]

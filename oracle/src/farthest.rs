@@ -23,7 +23,7 @@ use crate::trapezoid::Convex;
 const TIGHT: f64 = 1.0 + 1.0 / 32.0;
 
 /// Cuts before a loose bracket is returned as it is.
-const CUTS: usize = 4_000;
+const CUTS: usize = 20_000;
 
 /// A search over pieces for the greatest distance to a region's boundary; where they lie outside of it or on its boundary,
 /// that is the distance to the region.

@@ -136,9 +136,9 @@ proptest! {
     ) {
         let (a, b, result): (Region, Region, Region) = (exact(&a), exact(&b), exact(&other));
         let truth = combine(operation, &a, &b).expect("finite");
-        let (too_much, _) = reach(&result, &truth, 2f64.powi(-40)).expect("finite");
+        let (too_much, _) = reach(&result, &truth, 1e-18).expect("finite");
         let outside = |region: &Region| region.complement().expect("closed");
-        let (too_little, _) = reach(&outside(&result), &outside(&truth), 2f64.powi(-40)).expect("finite");
+        let (too_little, _) = reach(&outside(&result), &outside(&truth), 1e-18).expect("finite");
         let found = backward::error(operation, &a, &b, &result, 1.0).expect("finite");
         prop_assert!(found.lo <= too_much.hi().max(too_little.hi()), "{found:?} {too_much:?} {too_little:?}");
     }
