@@ -7,16 +7,20 @@
 //! max over corners v of d(v, boundary)  <=  sup over the piece  <=  min over edges e of max over corners v of d(v, e).
 //!
 //! Both ends agree where one edge is nearest to all corners, which is so at once for a sliver along an edge however thin
-//! and long it is: no cell ever has to be as small as the error. A piece with several nearest edges is cut where two of
-//! them are about equally far. Any cut keeps the pieces a cover, so rounding the place of the cut costs nothing.
+//! and long it is: no cell ever has to be as small as the error. Where two edges are nearest in turn, a mean of both
+//! distances gives a better bound ([`crate::rivals`]) and a point between the corners that may attain it. Pieces that are
+//! still open are cut upright or level near that point. Such cuts keep the numbers short: the corners lie on few lines, at
+//! abscissas or ordinates of our choice.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
+use crate::clip::halves;
 use crate::interval::Interval;
 use crate::locate::{Locator, distance_to_segment};
 use crate::number::Number;
 use crate::point::{Place, Point};
+use crate::rivals;
 use crate::trapezoid::Convex;
 
 /// A bracket is refined until its upper end is at most this factor above the lower one.
@@ -34,12 +38,15 @@ pub struct Farthest<'a, Q> {
     reached: (f64, Option<Point<Q>>),
 }
 
+/// Edges that are tried in pairs, those that alone serve a piece best.
+const TRIED: usize = 8;
+
 /// A piece and an upper bound for its distance.
 struct Candidate<Q> {
     bound: f64,
     piece: Convex<Q>,
-    /// The corners' distances to the edge that gives the bound, and to the edge nearest to the worst corner.
-    rival: Option<(Vec<f64>, Vec<f64>)>,
+    /// Where its farthest point may be, if not at a corner.
+    between: Option<Point<Q>>,
 }
 
 impl<'a, Q: Number> Farthest<'a, Q> {
@@ -65,88 +72,66 @@ impl<'a, Q: Number> Farthest<'a, Q> {
                 self.open.push(worst);
                 break;
             }
-            worst.cut().into_iter().for_each(|piece| self.add(piece));
+            halves(&worst.piece, worst.between.as_ref()).into_iter().for_each(|piece| self.add(piece));
         }
         self.open.peek().map_or(0.0, |worst| worst.bound)
     }
 
+    /// Measures the corners of a piece, and points between them as long as they show an edge that was not known to be near.
     fn add(&mut self, piece: Convex<Q>) {
-        let nearest: Vec<(Interval, Vec<usize>)> = piece.iter().map(|corner| self.region.nearest(corner)).collect();
-        for (corner, (distance, _)) in piece.iter().zip(&nearest) {
-            if distance.lo() > self.reached.0 {
-                self.reached = (distance.lo(), Some(corner.exact.clone()));
+        let mut near: Vec<(usize, Vec<Interval>)> = Vec::new();
+        piece.iter().for_each(|corner| self.measure(corner, &piece, &mut near));
+        loop {
+            let known = near.len();
+            let (bound, between) = self.bound(&piece, &mut near);
+            if let Some(point) = &between {
+                self.measure(&Place::from(point.clone()), &piece, &mut near);
+            }
+            if near.len() == known {
+                return self.open.push(Candidate { bound, piece, between });
             }
         }
-        let mut edges: Vec<usize> = nearest.iter().flat_map(|(_, edges)| edges.iter().copied()).collect();
-        edges.sort_unstable();
-        edges.dedup();
-        let Some((bound, best)) =
-            edges.iter().map(|&e| (self.reach(&piece, e), e)).min_by(|(a, _), (b, _)| a.total_cmp(b))
-        else {
-            return self.open.push(Candidate { bound: f64::INFINITY, piece, rival: None });
-        };
-        let excess = |k: usize| distance_from(self.region, &piece[k], best).hi() - nearest[k].0.hi();
-        let worst = (0..piece.len()).max_by(|&i, &j| excess(i).total_cmp(&excess(j)));
-        let rival = worst.map(|k| nearest[k].1[0]).filter(|&edge| edge != best).map(|edge| {
-            let all = |e| piece.iter().map(|corner| distance_from(self.region, corner, e).mid()).collect();
-            (all(best), all(edge))
-        });
-        self.open.push(Candidate { bound, piece, rival });
     }
 
-    /// The greatest distance of a corner to one edge, rounded up.
-    fn reach(&self, piece: &Convex<Q>, edge: usize) -> f64 {
-        piece.iter().map(|corner| distance_from(self.region, corner, edge).hi()).fold(0.0, f64::max)
+    /// Measures a point, and adds the edges nearest to it with their distances from the corners of a piece.
+    fn measure(&mut self, point: &Place<Q>, piece: &Convex<Q>, near: &mut Vec<(usize, Vec<Interval>)>) {
+        let (distance, edges) = self.region.nearest(point);
+        if distance.lo() > self.reached.0 {
+            self.reached = (distance.lo(), Some(point.exact.clone()));
+        }
+        for edge in edges {
+            if near.iter().all(|(known, _)| *known != edge) {
+                let (a, b) = self.region.edge(edge);
+                near.push((edge, piece.iter().map(|corner| distance_to_segment(corner, a, b)).collect()));
+            }
+        }
+    }
+
+    /// The best bound that the edges near a piece give alone and in pairs, and where it may be attained between corners.
+    fn bound(&self, piece: &Convex<Q>, near: &mut [(usize, Vec<Interval>)]) -> (f64, Option<Point<Q>>) {
+        near.sort_by(|a, b| rivals::to_one(&a.1).most.total_cmp(&rivals::to_one(&b.1).most));
+        let Some((_, first)) = near.first() else { return (f64::INFINITY, None) };
+        let mut best = rivals::to_one(first);
+        if best.most <= self.reached.0 * TIGHT {
+            return (best.most, None);
+        }
+        let tried = &near[..near.len().min(TRIED)];
+        for (i, (_, first)) in tried.iter().enumerate() {
+            for (_, second) in &tried[..i] {
+                let bound = rivals::to_two(first, second);
+                if bound.most < best.most {
+                    best = bound;
+                }
+            }
+        }
+        let point = best.between.and_then(|(i, j, t)| Some(piece[i].exact.toward(&piece[j].exact, &fraction(t)?)));
+        (best.most, point)
     }
 }
 
-fn distance_from<Q: Number>(region: &Locator<Q>, corner: &Place<Q>, edge: usize) -> Interval {
-    let (a, b) = region.edge(edge);
-    distance_to_segment(corner, a, b)
-}
-
-impl<Q: Number> Candidate<Q> {
-    /// Two convex pieces that make up this one: cut between the two rival edges if they are equally far on exactly two
-    /// sides, else through the middle of the longest side.
-    fn cut(self) -> [Convex<Q>; 2] {
-        let n = self.piece.len();
-        let (first, second) = self.rival_cuts().unwrap_or_else(|| self.middle_cuts());
-        let [start, end] = [first, second].map(|(side, t)| {
-            let t = Q::from_i64((t * 1024.0) as i64).over(&Q::from_i64(1024));
-            Place::from(self.piece[side].exact.toward(&self.piece[(side + 1) % n].exact, &t))
-        });
-        let part = |from: &Place<Q>, after: usize, to: &Place<Q>, until: usize| {
-            let between = (1..=(until + n - after) % n).map(|k| self.piece[(after + k) % n].clone());
-            let mut part: Convex<Q> = std::iter::once(from.clone()).chain(between).chain([to.clone()]).collect();
-            part.dedup_by(|a, b| a.exact == b.exact);
-            part
-        };
-        [part(&start, first.0, &end, second.0), part(&end, second.0, &start, first.0)]
-    }
-
-    /// The two sides on which the rival edges are equally far, each with the parameter of that point.
-    fn rival_cuts(&self) -> Option<((usize, f64), (usize, f64))> {
-        let (best, rival) = self.rival.as_ref()?;
-        let lead: Vec<f64> = best.iter().zip(rival).map(|(b, r)| b - r).collect();
-        let after = |i: usize| lead[(i + 1) % lead.len()];
-        let mut changes = (0..lead.len()).filter(|&i| (lead[i] > 0.0) != (after(i) > 0.0));
-        let sides = (changes.next()?, changes.next()?);
-        // Away from the corners, so that both parts get smaller.
-        let at = |i: usize| (i, (lead[i] / (lead[i] - after(i))).clamp(1.0 / 16.0, 15.0 / 16.0));
-        changes.next().is_none().then(|| (at(sides.0), at(sides.1)))
-    }
-
-    /// The middle of the longest side and the middle or corner across.
-    fn middle_cuts(&self) -> ((usize, f64), (usize, f64)) {
-        let n = self.piece.len();
-        let length = |i: usize| {
-            let (dx, dy) = self.piece[i].step(&self.piece[(i + 1) % n]);
-            dx.mid().hypot(dy.mid())
-        };
-        let longest = (0..n).max_by(|&i, &j| length(i).total_cmp(&length(j))).unwrap_or(0);
-        let across = if n == 3 { ((longest + 2) % n, 0.0) } else { ((longest + n / 2) % n, 0.5) };
-        ((longest, 0.5), across)
-    }
+/// A short number near a fraction between 0 and 1.
+fn fraction<Q: Number>(t: f64) -> Option<Q> {
+    Q::from_f64((t * 1048576.0).round() / 1048576.0)
 }
 
 impl<Q> PartialEq for Candidate<Q> {
