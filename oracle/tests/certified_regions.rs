@@ -1,5 +1,7 @@
 //! The certified distance of regions with arcs against the exact one of polygons, on loops of all kinds.
 
+mod common;
+
 use arcsum_oracle::certified::hausdorff::{Outline, between};
 use arcsum_oracle::certified::shape::Shape;
 use arcsum_oracle::measure;
@@ -50,7 +52,7 @@ fn agree(first: &PlainRegion, second: &PlainRegion) -> Result<(), TestCaseError>
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(120))]
+    #![proptest_config(common::cases(120))]
 
     #[test]
     fn any_two_regions(a in loops(), b in loops()) {
@@ -63,4 +65,13 @@ proptest! {
     ) {
         agree(&polygon(&nudged(&a, &moves, f64::from(exponent).exp2())), &polygon(&a))?;
     }
+}
+
+/// A spike opened to a sliver beside the end of a steep line: the end of the clipped line there is too short to have a
+/// direction, and no distance to it was known.
+#[test]
+fn a_sliver_beside_the_end_of_a_line() -> Result<(), TestCaseError> {
+    let triangle = vec![(0.75, 0.25), (0.0, 0.2453490094082054), (0.0, 0.0)];
+    let a = [triangle, vec![(0.75, 0.0), (0.75, 0.5), (0.75, 0.0)]];
+    agree(&polygon(&nudged(&a, &[(0, -1), (0, 0), (2, 0)], 2f64.powi(-53))), &polygon(&a))
 }

@@ -114,9 +114,12 @@ impl Piece {
             Some(true) => self.offset(point),
             Some(false) => ends(),
             None => {
-                // An offset of unknown size, from a piece too short to have a direction, says nothing more than the ends.
-                let (offset, ends) = (self.offset(point), ends());
-                if offset.hi().is_finite() { offset.hull(&ends) } else { Real::from(0.0).hull(&ends) }
+                // No point of a quarter of a circle is farther from an end than the other end.
+                let ends = ends();
+                let least = &ends - &self.chord().length();
+                // An offset of unknown size, from a piece too short to have a direction, says nothing.
+                let offset = Some(self.offset(point)).filter(|offset| offset.hi().is_finite());
+                offset.map_or_else(|| least.clone(), |offset| least.max(&offset)).max(&Real::from(0.0)).hull(&ends)
             }
         }
     }
