@@ -1,10 +1,10 @@
 //! Boundaries of sums of regions with arcs: against membership, against offsets and areas known in closed form, and the
 //! laws of sums, on random regions and on regions full of equal radii, tangent joints and coincident arcs.
 
-mod common;
-
 use std::f64::consts::PI;
 
+use crate::common::outline::{FINE, area, distance, edges, is_simple, length, runs_along, sides, winds};
+use crate::common::{disc, radial};
 use arcsum_oracle::certified::boundary::{Boundary, boundary};
 use arcsum_oracle::certified::membership::{Membership, State};
 use arcsum_oracle::certified::real::Real;
@@ -15,8 +15,6 @@ use arcsum_oracle::certified::sums::sums;
 use arcsum_oracle::certified::vector::Vector;
 use arcsum_oracle::error::Budget;
 use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
-use common::outline::{FINE, area, distance, edges, is_simple, length, runs_along, sides, winds};
-use common::{disc, radial};
 use proptest::prelude::*;
 
 fn shape(region: &PlainRegion) -> Shape {
@@ -119,7 +117,7 @@ fn points(n: usize) -> impl Strategy<Value = Vec<(f64, f64)>> {
 }
 
 proptest! {
-    #![proptest_config(common::cases(120))]
+    #![proptest_config(crate::common::cases(120))]
 
     /// The boundary winds once around what is blocked and not around what is free.
     #[test]
@@ -260,7 +258,7 @@ proptest! {
     /// a free path as narrow as a point is no part of the boundary.
     #[test]
     fn complements_have_boundaries_too((a, b) in pair(), points in points(20)) {
-        let outside = common::complement(&a);
+        let outside = crate::common::complement(&a);
         let small = mapped(&b, |x, y| (0.125 * x, 0.125 * y));
         let found = edges(&walk(&outside, &small));
         let membership = Membership::new(&shape(&outside), &shape(&small));
@@ -328,8 +326,8 @@ fn cusps_are_corners() {
 #[test]
 fn exact_cusps_are_corners() {
     let cusped = vec![corner(1.0, 0.0, 1.0), corner(-1.0, 0.0, -1.0), corner(-0.25, 0.0, -1.0)];
-    let notched = common::complement(&region(vec![cusped.clone()])).loops.remove(0);
-    let around = common::rectangle(-2.0, -2.0, 2.0, 2.0);
+    let notched = crate::common::complement(&region(vec![cusped.clone()])).loops.remove(0);
+    let around = crate::common::rectangle(-2.0, -2.0, 2.0, 2.0);
     let small = region(vec![vec![corner(-0.125, 0.0, 1.0), corner(0.125, 0.0, 0.0)]]);
     for a in [region(vec![cusped.clone()]), region(vec![around, notched])] {
         for b in [small.clone(), mirrored(&small), region(vec![cusped.clone()]), region(vec![disc(0.0, 0.0, 0.375)])] {
@@ -358,7 +356,7 @@ fn stadiums_add_up() {
 }
 
 proptest! {
-    #![proptest_config(common::cases(100))]
+    #![proptest_config(crate::common::cases(100))]
 
     /// Leaving out or doubling any edge is noticed.
     #[test]

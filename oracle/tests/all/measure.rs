@@ -1,14 +1,12 @@
 //! Brackets of the region Hausdorff distance against errors planted by construction.
 
-mod common;
-
+use crate::common::{cells, complement, exact, plain, radial, rectangle, ring};
 use arcsum_oracle::locate::{Location, Locator};
 use arcsum_oracle::measure::{Bracket, Direction, hausdorff};
 use arcsum_oracle::number::Number;
 use arcsum_oracle::plain::{Corner, PlainRegion};
 use arcsum_oracle::point::{Place, Point};
 use arcsum_oracle::region::ExactRegion;
-use common::{cells, complement, exact, plain, radial, rectangle, ring};
 use proptest::prelude::*;
 use rug::Rational;
 
@@ -65,7 +63,7 @@ fn egyptian(x: f64, y: f64, scale: f64) -> Vec<Corner> {
 }
 
 proptest! {
-    #![proptest_config(common::cases(300))]
+    #![proptest_config(crate::common::cases(300))]
 
     #[test]
     fn a_vertex_moved_outwards(k in 10i32..=50, a in 0i32..6, b in 0i32..6) {
@@ -138,7 +136,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(common::cases(60))]
+    #![proptest_config(crate::common::cases(60))]
 
     #[test]
     fn a_grid_hole_lost_or_moved_or_doubled(n in 2u32..6, pick in any::<prop::sample::Index>(), k in 2i32..=45) {

@@ -1,19 +1,16 @@
 //! Planted errors: regions with arcs and holes, changed so that the distance is known by construction. The bracket has to
 //! contain it, tightly, in both directions and for errors from 2^-10 to 2^-50 of the unit box.
 
-mod common;
-#[path = "planted/plate.rs"]
 mod plate;
-#[path = "planted/truth.rs"]
 mod truth;
 
+use crate::common::{disc, rectangle};
 use arcsum_oracle::certified::hausdorff::{Outline, between};
 use arcsum_oracle::certified::reference::Reference;
 use arcsum_oracle::certified::shape::Shape;
 use arcsum_oracle::error::Budget;
 use arcsum_oracle::measure::{Bracket, Direction};
 use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
-use common::{disc, rectangle};
 use plate::{Error, Plate, errors, plates};
 use proptest::prelude::*;
 use rug::Float;
@@ -57,7 +54,7 @@ fn one(plate: &Plate, error: Error) -> Result<(), TestCaseError> {
 }
 
 proptest! {
-    #![proptest_config(common::cases(150))]
+    #![proptest_config(crate::common::cases(150))]
 
     #[test]
     fn a_vertex_moved(plate in plates(), error in errors::vertex()) {
@@ -105,7 +102,7 @@ proptest! {
         let reaches = truth::discs((ends.0, ends.1, y), (moved.0, moved.1, y + c));
         let truth = Truth::none().and(reaches);
         let (first, second) = (region(ends, y), region(moved, y + c));
-        holds_both_ways(&common::complement(&second), &common::complement(&first), &truth)?;
+        holds_both_ways(&crate::common::complement(&second), &crate::common::complement(&first), &truth)?;
         holds(&measured(&first, &second), truth.distance())?;
     }
 }
@@ -181,7 +178,7 @@ fn float(x: f64) -> Float {
 }
 
 proptest! {
-    #![proptest_config(common::cases(40))]
+    #![proptest_config(crate::common::cases(40))]
 
     /// Against the certified sum of a plate with holes and a disc.
     #[test]

@@ -1,8 +1,7 @@
 //! The shortcuts of the convolution must not change its result: neither leaving out the segments at right turns nor what
 //! lies in the squares of a cover.
 
-mod common;
-
+use crate::common::{cells, complement, exact, fork, plain, radial, rectangle};
 use arcsum_oracle::convolve;
 use arcsum_oracle::cover::Cover;
 use arcsum_oracle::error::Budget;
@@ -12,7 +11,6 @@ use arcsum_oracle::number::Number;
 use arcsum_oracle::plain::PlainRegion;
 use arcsum_oracle::point::{Place, Point};
 use arcsum_oracle::region::ExactRegion;
-use common::{cells, complement, exact, fork, plain, radial, rectangle};
 use proptest::prelude::*;
 use rug::Rational;
 
@@ -55,7 +53,7 @@ fn nearly_on_the_lattice() -> impl Strategy<Value = PlainRegion> {
 }
 
 proptest! {
-    #![proptest_config(common::cases(200))]
+    #![proptest_config(crate::common::cases(200))]
 
     #[test]
     fn degenerate_grids_keep_their_sums(a in cells(3), b in cells(4), outside in any::<bool>()) {
@@ -107,7 +105,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(common::cases(30))]
+    #![proptest_config(crate::common::cases(30))]
 
     #[test]
     fn random_polygons_keep_their_sums(a in radial(3..40), b in radial(3..40), outside in any::<bool>()) {

@@ -1,11 +1,10 @@
 //! Distances and crossings of pieces, against a branch and bound over pairs of points in plain doubles.
 
-mod common;
-
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 use std::f64::consts::PI;
 
+use crate::common::hull;
 use arcsum_oracle::certified::crossing::crosses;
 use arcsum_oracle::certified::gap::gap;
 use arcsum_oracle::certified::piece::{Circle, Piece};
@@ -14,7 +13,6 @@ use arcsum_oracle::certified::real::Real;
 use arcsum_oracle::certified::shape::Shape;
 use arcsum_oracle::certified::vector::Vector;
 use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
-use common::hull;
 use proptest::prelude::*;
 
 /// How far branch and bound goes: equidistant curves have as many nearest pairs as fit.
@@ -170,7 +168,7 @@ fn smeared(here: &Piece, there: &Piece) -> Piece {
 }
 
 proptest! {
-    #![proptest_config(common::cases(1500))]
+    #![proptest_config(crate::common::cases(1500))]
 
     #[test]
     fn the_gap_is_the_least_distance_of_points(a in piece(), b in piece()) {

@@ -1,12 +1,10 @@
 //! The two algorithms and the two number backends must give equal regions.
 
-mod common;
-
+use crate::common::{cells, complement, digits, exact, radial};
 use arcsum_oracle::error::Budget;
 use arcsum_oracle::plain::PlainRegion;
 use arcsum_oracle::region::ExactRegion;
 use arcsum_oracle::{convolve, decompose};
-use common::{cells, complement, digits, exact, radial};
 use num_rational::BigRational;
 use proptest::prelude::*;
 use rug::Rational;
@@ -19,7 +17,7 @@ fn both(a: &PlainRegion, b: &PlainRegion) -> [ExactRegion<Rational>; 2] {
 }
 
 proptest! {
-    #![proptest_config(common::cases(400))]
+    #![proptest_config(crate::common::cases(400))]
 
     #[test]
     fn algorithms_agree_on_degenerate_grids(a in cells(3), b in cells(3)) {
@@ -39,7 +37,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(common::cases(60))]
+    #![proptest_config(crate::common::cases(60))]
 
     #[test]
     fn algorithms_agree_on_larger_grids(a in cells(5), b in cells(4)) {

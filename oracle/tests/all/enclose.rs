@@ -1,7 +1,6 @@
 //! Enclosures of regions with circle segments, against points, areas and distances known in closed form.
 
-mod common;
-
+use crate::common::{bulged, cells, complement, disc, enclosed, exact, plain};
 use arcsum_oracle::enclose::enclose;
 use arcsum_oracle::error::{Budget, OracleError};
 use arcsum_oracle::locate::{Location, Locator};
@@ -10,7 +9,6 @@ use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
 use arcsum_oracle::point::{Place, Point};
 use arcsum_oracle::probe;
 use arcsum_oracle::region::ExactRegion;
-use common::{bulged, cells, complement, disc, enclosed, exact, plain};
 use proptest::prelude::*;
 use rug::Rational;
 use std::f64::consts::PI;
@@ -32,7 +30,7 @@ fn place(x: f64, y: f64) -> Place<Rational> {
 }
 
 proptest! {
-    #![proptest_config(common::cases(60))]
+    #![proptest_config(crate::common::cases(60))]
 
     #[test]
     fn finer_enclosures_lie_between_coarser_ones(a in bulged()) {

@@ -1,7 +1,6 @@
 //! Blocked, free and the distance to the sum, against exact sums of polygons, enclosing polygons and closed forms.
 
-mod common;
-
+use crate::common::{bulged, cells, complement, disc, enclosed, exact, hull, radial, rectangle};
 use arcsum_oracle::certified::distance::Nearest;
 use arcsum_oracle::certified::gap::gap;
 use arcsum_oracle::certified::membership::{Membership, State};
@@ -16,7 +15,6 @@ use arcsum_oracle::locate::{Location, Locator};
 use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
 use arcsum_oracle::point::{Place, Point};
 use arcsum_oracle::region::ExactRegion;
-use common::{bulged, cells, complement, disc, enclosed, exact, hull, radial, rectangle};
 use proptest::prelude::*;
 use rug::Rational;
 
@@ -79,7 +77,7 @@ fn points(size: f64) -> impl Strategy<Value = Vec<(f64, f64)>> {
 }
 
 proptest! {
-    #![proptest_config(common::cases(100))]
+    #![proptest_config(crate::common::cases(100))]
 
     #[test]
     fn states_and_distances_are_those_of_exact_sums(a in polygon(), b in polygon(), generic in points(12.0), integers in points(12.0)) {

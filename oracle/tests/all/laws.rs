@@ -1,9 +1,8 @@
 //! Laws every Minkowski sum obeys, and its definition, checked by a direct test of its own.
 
-mod common;
-
 use std::cmp::Ordering;
 
+use crate::common::{cells, complement, exact, inside, radial, ring, side};
 use arcsum_oracle::error::Budget;
 use arcsum_oracle::locate::{Location, Locator};
 use arcsum_oracle::number::Number;
@@ -11,7 +10,6 @@ use arcsum_oracle::plain::PlainRegion;
 use arcsum_oracle::point::{Place, Point};
 use arcsum_oracle::region::{ExactRegion, ring_area};
 use arcsum_oracle::{convolve, polygon};
-use common::{cells, complement, exact, inside, radial, ring, side};
 use proptest::prelude::*;
 use rug::Rational;
 
@@ -50,7 +48,7 @@ fn segments_meet(p: &Point<Rational>, q: &Point<Rational>, r: &Point<Rational>, 
 }
 
 proptest! {
-    #![proptest_config(common::cases(150))]
+    #![proptest_config(crate::common::cases(150))]
 
     #[test]
     fn the_order_of_operands_does_not_matter(a in either(), b in either(), outside in any::<bool>()) {
@@ -140,10 +138,10 @@ proptest! {
 
 #[test]
 fn the_default_sum_reads_crossing_loops_by_their_winding() {
-    let bow = common::plain(&[&[(0.0, 0.0), (2.0, 2.0), (2.0, 0.0), (0.0, 2.0)]]);
-    let dot = common::plain(&[&[(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]]);
+    let bow = crate::common::plain(&[&[(0.0, 0.0), (2.0, 2.0), (2.0, 0.0), (0.0, 2.0)]]);
+    let dot = crate::common::plain(&[&[(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]]);
     let halves: Region =
-        exact(&common::plain(&[&[(0.0, 0.0), (1.0, 1.0), (0.0, 2.0)], &[(1.0, 1.0), (2.0, 0.0), (2.0, 2.0)]]));
+        exact(&crate::common::plain(&[&[(0.0, 0.0), (1.0, 1.0), (0.0, 2.0)], &[(1.0, 1.0), (2.0, 0.0), (2.0, 2.0)]]));
     assert_eq!(exact::<Rational>(&bow), halves);
     assert_eq!(polygon::sum(&bow, &dot).expect("small"), sum(&halves, &exact(&dot)));
 }

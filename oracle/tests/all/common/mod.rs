@@ -1,5 +1,4 @@
 //! Inputs for the tests: small regions full of coincidences, random polygons, and the fork of the memo's section J5.
-#![allow(dead_code, reason = "every test binary uses its own part of this module")]
 
 pub mod outline;
 

@@ -1,14 +1,12 @@
 //! Sums whose answer is known by construction.
 
-mod common;
-
+use crate::common::{complement, exact, fork, plain, rectangle};
 use arcsum_oracle::error::{Budget, OracleError};
 use arcsum_oracle::number::Number;
 use arcsum_oracle::plain::{Bend, PlainRegion};
 use arcsum_oracle::point::Point;
 use arcsum_oracle::polygon;
 use arcsum_oracle::region::{ExactRegion, ring_area};
-use common::{complement, exact, fork, plain, rectangle};
 use rug::Rational;
 
 const SQUARE: &[(f64, f64)] = &[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];

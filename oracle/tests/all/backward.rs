@@ -1,7 +1,6 @@
 //! Backward errors of set operations, against errors planted by construction and against their definition point by point.
 
-mod common;
-
+use crate::common::{cells, complement, exact, inside, radial, rectangle};
 use arcsum_oracle::backward;
 use arcsum_oracle::boolean::{Operation, combine};
 use arcsum_oracle::interval::Interval;
@@ -10,7 +9,6 @@ use arcsum_oracle::measure::{Bracket, Direction, reach};
 use arcsum_oracle::plain::PlainRegion;
 use arcsum_oracle::point::{Place, Point};
 use arcsum_oracle::region::ExactRegion;
-use common::{cells, complement, exact, inside, radial, rectangle};
 use num_rational::BigRational;
 use proptest::prelude::*;
 use rug::Rational;
@@ -77,7 +75,7 @@ fn disturbed(region: &PlainRegion, noise: &[f64], k: i32) -> PlainRegion {
 }
 
 proptest! {
-    #![proptest_config(common::cases(200))]
+    #![proptest_config(crate::common::cases(200))]
 
     #[test]
     fn exact_results_have_no_error(operation in any_operation(), a in any_region(), b in any_region()) {

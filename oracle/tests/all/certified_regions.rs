@@ -1,7 +1,5 @@
 //! The certified distance of regions with arcs against the exact one of polygons, on loops of all kinds.
 
-mod common;
-
 use arcsum_oracle::certified::hausdorff::{Outline, between};
 use arcsum_oracle::certified::shape::Shape;
 use arcsum_oracle::measure;
@@ -52,7 +50,7 @@ fn agree(first: &PlainRegion, second: &PlainRegion) -> Result<(), TestCaseError>
 }
 
 proptest! {
-    #![proptest_config(common::cases(120))]
+    #![proptest_config(crate::common::cases(120))]
 
     #[test]
     fn any_two_regions(a in loops(), b in loops()) {

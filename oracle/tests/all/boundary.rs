@@ -1,9 +1,8 @@
 //! Boundaries of sums against exact sums of polygons, offsets built independently, and the laws of sums.
 
-mod common;
-
 use std::sync::Arc;
 
+use crate::common::{cells, complement, exact, plain, radial, ring};
 use arcsum_oracle::certified::boundary::{Boundary, Edge, boundary};
 use arcsum_oracle::certified::curve::Curve;
 use arcsum_oracle::certified::precision::Precision;
@@ -15,7 +14,6 @@ use arcsum_oracle::error::{Budget, OracleError};
 use arcsum_oracle::plain::PlainRegion;
 use arcsum_oracle::point::Point;
 use arcsum_oracle::region::ExactRegion;
-use common::{cells, complement, exact, plain, radial, ring};
 use proptest::prelude::*;
 use rug::Rational;
 
@@ -191,7 +189,7 @@ fn a_wrong_boundary_does_not_compare() {
 }
 
 proptest! {
-    #![proptest_config(common::cases(100))]
+    #![proptest_config(crate::common::cases(100))]
 
     #[test]
     fn random_polygons_agree(a in radial(3..12), b in radial(3..12), outside in any::<bool>()) {

@@ -1,7 +1,6 @@
 //! Exact set operations: the laws of set algebra, measures, a second algorithm, and their definition point by point.
 
-mod common;
-
+use crate::common::{cells, complement, digits, exact, inside, plain, radial};
 use arcsum_oracle::boolean::{Operation, combine};
 use arcsum_oracle::error::Budget;
 use arcsum_oracle::number::Number;
@@ -10,7 +9,6 @@ use arcsum_oracle::point::Point;
 use arcsum_oracle::region::ExactRegion;
 use arcsum_oracle::trapezoid::trapezoids;
 use arcsum_oracle::union;
-use common::{cells, complement, digits, exact, inside, plain, radial};
 use num_rational::BigRational;
 use proptest::prelude::*;
 use rug::Rational;
@@ -90,7 +88,7 @@ fn check_points<Q: Number>(a: &PlainRegion, b: &PlainRegion, probes: &[(i64, i64
 }
 
 proptest! {
-    #![proptest_config(common::cases(300))]
+    #![proptest_config(crate::common::cases(300))]
 
     #[test]
     fn layers_agree_with_sums_of_winding_numbers(a in bounded(), b in bounded()) {

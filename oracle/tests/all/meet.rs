@@ -1,8 +1,6 @@
 //! Contacts of two pieces against exact answers: lines between grid points, circles with integer centres and radii, and
 //! pieces that come near each other by a known distance.
 
-mod common;
-
 use std::cmp::Ordering;
 
 use arcsum_oracle::certified::meet::{Contact, LIMIT, Meeting, ZONE, meet};
@@ -91,7 +89,7 @@ fn segment() -> impl Strategy<Value = [Grid; 2]> {
 }
 
 proptest! {
-    #![proptest_config(common::cases(3000))]
+    #![proptest_config(crate::common::cases(3000))]
 
     #[test]
     fn lines_meet_where_they_do(a in segment(), b in segment()) {
@@ -157,7 +155,7 @@ fn all_contacts(coarsest: Precision, make: impl Fn(Precision) -> [Vec<Piece>; 2]
 }
 
 proptest! {
-    #![proptest_config(common::cases(200))]
+    #![proptest_config(crate::common::cases(200))]
 
     #[test]
     fn circles_meet_where_they_do(

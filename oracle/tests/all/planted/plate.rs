@@ -2,8 +2,8 @@
 //!
 //! Every error stays far from the others, so that the greatest of several is the distance.
 
-use super::common::disc;
 use super::truth::{Reaches, Truth, beyond, discs, distance, float, lack, length, one, step, surplus};
+use crate::common::disc;
 use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
 use proptest::prelude::*;
 use rug::Float;

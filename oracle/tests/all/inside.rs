@@ -1,7 +1,6 @@
 //! Certified winding numbers against exact polygons and closed forms.
 
-mod common;
-
+use crate::common::{bulged, cells, complement, disc, enclosed, exact, hull, radial};
 use arcsum_oracle::certified::inside::{Winding, inside};
 use arcsum_oracle::certified::precision::Precision;
 use arcsum_oracle::certified::real::Real;
@@ -11,7 +10,6 @@ use arcsum_oracle::certified::vector::Vector;
 use arcsum_oracle::locate::{Location, Locator};
 use arcsum_oracle::plain::PlainRegion;
 use arcsum_oracle::point::{Place, Point};
-use common::{bulged, cells, complement, disc, enclosed, exact, hull, radial};
 use proptest::prelude::*;
 use rug::Rational;
 
@@ -45,7 +43,7 @@ fn grid() -> impl Strategy<Value = Vec<(f64, f64)>> {
 }
 
 proptest! {
-    #![proptest_config(common::cases(150))]
+    #![proptest_config(crate::common::cases(150))]
 
     #[test]
     fn points_of_polygons_are_located(a in cells(3), unbounded in any::<bool>(), points in grid()) {

@@ -1,0 +1,19 @@
+//! The tests of the oracle, in one binary: they share what is generic over numbers, and run side by side.
+
+mod agreement;
+mod backward;
+mod boolean;
+mod boundary;
+mod boundary_arcs;
+mod certified_regions;
+mod common;
+mod enclose;
+mod gap;
+mod inside;
+mod known;
+mod laws;
+mod measure;
+mod meet;
+mod membership;
+mod planted;
+mod shortcuts;

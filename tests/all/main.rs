@@ -1,0 +1,20 @@
+//! The integration tests, in one binary: they share what is generic over numbers, and run side by side.
+
+mod angles;
+mod arcs;
+mod arrangement;
+mod boolean_exact;
+mod convolution;
+mod crossing;
+mod exact;
+mod families;
+mod frame;
+mod fuzzing;
+mod metamorphic;
+mod mutated_json;
+mod realize;
+mod regions;
+mod small_polygons;
+mod smooth;
+mod sum3;
+mod validate;
