@@ -15,6 +15,7 @@
 //!
 //! So one point of every outer loop settles whether t is blocked or free.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -27,6 +28,9 @@ use super::real::Real;
 use super::shape::{Shape, Side};
 use super::spot::Spot;
 use super::vector::Vector;
+
+/// So many pairs that doubles do not tell apart are looked into at once.
+const FEW: usize = 4;
 
 /// How A and t - B lie to each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,6 +50,8 @@ pub struct Membership {
     pub(super) second: Operand,
     /// The pair that crossed last: neighbouring questions often have the same answer for the same reason.
     crossed: Witness,
+    /// The piece that last had a point in both interiors, and whether it is one of the second region (1) or not (0).
+    overlapped: Witness,
     /// The pair that was nearest last.
     pub(super) nearest: Witness,
 }
@@ -59,7 +65,7 @@ pub(super) struct Operand {
     unbounded: bool,
 }
 
-/// A pair of pieces that threads may read and replace at any time.
+/// A pair of indices that threads may read and replace at any time.
 #[derive(Debug)]
 pub(super) struct Witness(AtomicU64);
 
@@ -68,7 +74,7 @@ impl Membership {
     #[must_use]
     pub fn new(a: &Shape, b: &Shape) -> Self {
         let [first, second] = [a, b].map(Operand::new);
-        Self { first, second, crossed: Witness::new(), nearest: Witness::new() }
+        Self { first, second, crossed: Witness::new(), overlapped: Witness::new(), nearest: Witness::new() }
     }
 
     /// How A and t - B lie to each other, at whatever precision that takes.
@@ -83,7 +89,11 @@ impl Membership {
         if self.first.unbounded && self.second.unbounded {
             return State::Blocked;
         }
-        let Some(mut open) = self.meeting_pairs(&t.at(Precision::DOUBLE)) else {
+        let place = t.at(Precision::DOUBLE);
+        if self.overlapped.get().is_some_and(|(i, side)| self.overlaps(i, side == 1, &place, Precision::DOUBLE)) {
+            return State::Blocked;
+        }
+        let Some(mut open) = self.meeting_pairs(&place) else {
             return State::Blocked;
         };
         for precision in limit.up_to() {
@@ -91,9 +101,13 @@ impl Membership {
                 return self.state_of_apart(t, limit);
             }
             let place = t.at(precision);
-            if precision > Precision::DOUBLE && !self.narrow(&mut open, &place, precision)
-                || self.reach_inside(&open, &place, precision)
-            {
+            let rough = precision == Precision::DOUBLE;
+            if !rough && !self.narrow(&mut open, &place, precision) {
+                return State::Blocked;
+            }
+            // Of many pairs that doubles do not tell apart most are told apart by the next precision.
+            let some = if rough && precision < limit { open.len().min(FEW) } else { open.len() };
+            if self.reach_inside(&open[..some], &place, precision) {
                 return State::Blocked;
             }
         }
@@ -144,17 +158,26 @@ impl Membership {
         (self.first.winding.piece(i).at(precision), self.second.winding.piece(j).at(precision).mirrored(t))
     }
 
-    /// Whether one of these pieces certainly has its ends or middle in the interior of the other region, or a point beside
-    /// it in both. So pieces that overlap or end on each other exactly do not keep a blocked t undecided.
+    /// Whether a piece of one of these pairs reaches into the other region. So pieces that overlap or end on each other exactly
+    /// do not keep a blocked t undecided.
     fn reach_inside(&self, pairs: &[(usize, usize)], t: &Vector, precision: Precision) -> bool {
+        let pieces: BTreeSet<(usize, bool)> = pairs.iter().flat_map(|&(i, j)| [(i, false), (j, true)]).collect();
+        let found = pieces.into_iter().find(|&(piece, of_second)| self.overlaps(piece, of_second, t, precision));
+        if let Some((piece, of_second)) = found {
+            self.overlapped.set((piece, usize::from(of_second)));
+        }
+        found.is_some()
+    }
+
+    /// Whether a piece of one region certainly has its ends or middle in the interior of the other one, or a point beside it in
+    /// both.
+    fn overlaps(&self, piece: usize, of_second: bool, t: &Vector, precision: Precision) -> bool {
+        let (own, other) = if of_second { (&self.second, &self.first) } else { (&self.first, &self.second) };
         let is_inside = |operand: &Operand, p: &Vector| operand.winding.inside_at(p, precision) == Some(true);
-        let overlaps = |operand: &Operand, side: usize, other: &Operand| {
-            let piece = operand.winding.piece(side).at(precision);
-            let (middle, beside) = beside(piece);
-            [&middle, &piece.from, &piece.to].iter().any(|&p| is_inside(other, &(t - p)))
-                || is_inside(operand, &beside) && is_inside(other, &(t - &beside))
-        };
-        pairs.iter().any(|&(i, j)| overlaps(&self.first, i, &self.second) || overlaps(&self.second, j, &self.first))
+        let piece = own.winding.piece(piece).at(precision);
+        let (middle, beside) = beside(piece);
+        [&middle, &piece.from, &piece.to].iter().any(|&p| is_inside(other, &(t - p)))
+            || is_inside(own, &beside) && is_inside(other, &(t - &beside))
     }
 
     /// The state if the boundaries have no point in common.
