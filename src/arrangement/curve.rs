@@ -6,6 +6,7 @@
 
 use crate::angle::Ang;
 use crate::piece::Piece;
+use crate::twofold::two_sum;
 use glam::DVec2;
 use std::cmp::Ordering;
 
@@ -56,11 +57,7 @@ impl Curve {
         let chord = to.1 - from.1;
         let signed = if forward { piece.delta } else { -piece.delta };
         let delta = if chord.x == 0.0 { 0.0 } else { signed };
-        let normals = match (chord.x == 0.0, forward) {
-            (true, _) => [Ang::RIGHT; 2],
-            (false, true) => [piece.a, piece.b],
-            (false, false) => [piece.b.opposite(), piece.a.opposite()],
-        };
+        let normals = normals(piece, delta == 0.0 && is_steep(chord), forward, from.1, to.1);
         let mut weight = [0; 2];
         weight[usize::from(piece.operand)] = if forward { 1 } else { -1 };
         Some(Self {
@@ -97,6 +94,12 @@ impl Curve {
     #[must_use]
     pub fn is_vertical(&self) -> bool {
         self.left.x == self.right.x
+    }
+
+    /// Whether this is a line so steep that the rounding of x shows in y; true of verticals.
+    #[must_use]
+    pub fn is_steep_line(&self) -> bool {
+        self.is_line() && is_steep(self.chord())
     }
 
     /// Least and greatest ordinate of the whole piece.
@@ -136,13 +139,25 @@ impl Curve {
     /// Abscissa at ordinate `y`, by the same formula with the axes exchanged.
     #[must_use]
     pub fn x_at(&self, y: f64) -> f64 {
+        self.twofold_x_at(y).0.clamp(self.left.x, self.right.x)
+    }
+
+    /// Abscissa at ordinate `y` and its error: the distance from the nearer end is right to a few eps of itself.
+    #[must_use]
+    pub fn twofold_x_at(&self, y: f64) -> (f64, f64) {
         let c = self.chord();
-        let (base, offset) = if (y - self.left.y).abs() <= (self.right.y - y).abs() {
-            (self.left.x, solve(c.y, c.x, -self.sin, self.cos, y - self.left.y))
+        if (y - self.left.y).abs() <= (self.right.y - y).abs() {
+            two_sum(self.left.x, solve(c.y, c.x, -self.sin, self.cos, y - self.left.y))
         } else {
-            (self.right.x, solve(-c.y, -c.x, self.sin, self.cos, y - self.right.y))
-        };
-        (base + offset).clamp(self.left.x, self.right.x)
+            two_sum(self.right.x, solve(-c.y, -c.x, self.sin, self.cos, y - self.right.y))
+        }
+    }
+
+    /// A vector normal to the curve at a point of it.
+    #[must_use]
+    pub fn gradient(&self, p: DVec2) -> DVec2 {
+        let (normal, half_curvature) = self.implicit();
+        normal + 2.0 * half_curvature * (p - self.left)
     }
 
     /// How far `p` lies above the curve, vertically, for `p` within the x range; 0 on the line of a vertical. As a
@@ -177,6 +192,25 @@ impl Curve {
         }
         (self.sin * (u.x * v.x + u.y * v.y) - self.cos * cross) * self.inverse_length
     }
+}
+
+/// Where the ordinate along a direction changes this many times faster than the abscissa, the rounding of x shows in y. Any
+/// small number serves: below it an error of a few eps in x is one of a few tens of eps in y.
+const STEEP: f64 = 8.0;
+
+/// Whether a direction is steep.
+#[must_use]
+pub fn is_steep(direction: DVec2) -> bool {
+    direction.y.abs() > STEEP * direction.x.abs()
+}
+
+/// Normals at the ends `from` and `to`, `from` the left one. A steep line takes that of its chord: the piece's is as good in
+/// angle, but the rounding of the ends changes where the line is by far more in y than it does across.
+fn normals(piece: &Piece, steep_line: bool, forward: bool, from: DVec2, to: DVec2) -> [Ang; 2] {
+    if steep_line {
+        return [Ang::of_line(from, to).unwrap_or(Ang::RIGHT); 2];
+    }
+    if forward { [piece.a, piece.b] } else { [piece.b.opposite(), piece.a.opposite()] }
 }
 
 /// Solves `s Y^2 - B Y + C0 = 0` for the ordinate Y over the abscissa `x`, both measured from one end of a curve with chord
