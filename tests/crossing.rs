@@ -3,7 +3,7 @@
 
 use arcsum::angle::Ang;
 use arcsum::arrangement::cross::{CrossingModule, Crossings, EPS, FloatModule};
-use arcsum::arrangement::curve::{Curve, compare};
+use arcsum::arrangement::curve::Curve;
 use arcsum::piece::{Piece, Source};
 use arcsum_tests::cases;
 use glam::DVec2;
