@@ -57,7 +57,11 @@ impl Curve {
         let chord = to.1 - from.1;
         let signed = if forward { piece.delta } else { -piece.delta };
         let delta = if chord.x == 0.0 { 0.0 } else { signed };
-        let normals = normals(piece, delta == 0.0 && is_steep(chord), forward, from.1, to.1);
+        let normals = match (chord.x == 0.0, forward) {
+            (true, _) => [Ang::RIGHT; 2],
+            (false, true) => [piece.a, piece.b],
+            (false, false) => [piece.b.opposite(), piece.a.opposite()],
+        };
         let mut weight = [0; 2];
         weight[usize::from(piece.operand)] = if forward { 1 } else { -1 };
         Some(Self {
@@ -204,15 +208,6 @@ pub fn is_steep(direction: DVec2) -> bool {
     direction.y.abs() > STEEP * direction.x.abs()
 }
 
-/// Normals at the ends `from` and `to`, `from` the left one. A steep line takes that of its chord: the piece's is as good in
-/// angle, but the rounding of the ends changes where the line is by far more in y than it does across.
-fn normals(piece: &Piece, steep_line: bool, forward: bool, from: DVec2, to: DVec2) -> [Ang; 2] {
-    if steep_line {
-        return [Ang::of_line(from, to).unwrap_or(Ang::RIGHT); 2];
-    }
-    if forward { [piece.a, piece.b] } else { [piece.b.opposite(), piece.a.opposite()] }
-}
-
 /// Solves `s Y^2 - B Y + C0 = 0` for the ordinate Y over the abscissa `x`, both measured from one end of a curve with chord
 /// (cx, cy) (memo C1). Chooses the root that vanishes with `x`.
 fn solve(cx: f64, cy: f64, s: f64, c: f64, x: f64) -> f64 {
@@ -230,13 +225,34 @@ fn solve(cx: f64, cy: f64, s: f64, c: f64, x: f64) -> f64 {
 /// that they cannot be told apart there.
 #[must_use]
 pub fn order_at_start(f: &Curve, g: &Curve) -> Ordering {
+    if f.is_line() && g.is_line() { by_chord(f, g) } else { by_normal_at_start(f, g) }
+}
+
+/// The same by the normals of the pieces. Among lines and arcs at one vertex it is the order that is transitive: where a
+/// line goes on as an arc their normals are equal and the curvature decides, while the chord's would differ by rounding.
+#[must_use]
+pub fn by_normal_at_start(f: &Curve, g: &Curve) -> Ordering {
     direction(f.normals[0]).cmp(&direction(g.normals[0])).then(by_curvature(f, g))
 }
 
 /// Order of two curves that end at the same vertex, just to the left of it.
 #[must_use]
 pub fn order_at_end(f: &Curve, g: &Curve) -> Ordering {
+    if f.is_line() && g.is_line() {
+        return by_chord(g, f);
+    }
     direction(g.normals[1]).cmp(&direction(f.normals[1])).then(by_curvature(f, g))
+}
+
+/// Order of two lines to the right of a common point. The normal of a steep piece is as good in angle as that of its chord,
+/// but the rounding of the ends moves the line by far more in y than across, so the chord's counts.
+fn by_chord(f: &Curve, g: &Curve) -> Ordering {
+    let [f, g] = [f, g].map(|line| {
+        let chord =
+            if line.is_steep_line() && !line.is_vertical() { Ang::of_line(line.left, line.right) } else { None };
+        direction(chord.unwrap_or(line.normals[0]))
+    });
+    f.cmp(&g)
 }
 
 fn by_curvature(f: &Curve, g: &Curve) -> Ordering {

@@ -11,7 +11,7 @@
 
 use super::audit::Audit;
 use super::cross::{CrossingModule, Crossings};
-use super::curve::{Curve, compare, order_at_start};
+use super::curve::{Curve, by_normal_at_start, compare, order_at_start};
 use super::faces::Faces;
 use super::graph::Graph;
 use super::moment::Moment;
@@ -273,9 +273,9 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
 
     /// Sorts curves that start at the current vertex upwards; ties by index.
     fn sort_by_direction(&self, starting: &mut [u32]) {
-        starting.sort_unstable_by(|f, g| {
-            order_at_start(&self.curves[*f as usize], &self.curves[*g as usize]).then(f.cmp(g))
-        });
+        let lines = starting.iter().all(|c| self.curves[*c as usize].is_line());
+        let order = if lines { order_at_start } else { by_normal_at_start };
+        starting.sort_unstable_by(|f, g| order(&self.curves[*f as usize], &self.curves[*g as usize]).then(f.cmp(g)));
     }
 
     /// Where the current point lies in the status when nothing ends there: the places around it, and the line it hits.
