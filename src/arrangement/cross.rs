@@ -152,20 +152,27 @@ impl Pair<'_> {
         Moment { at: DVec2::new(x, y), low }
     }
 
-    /// When curves of which one at least is an arc, or lines neither of which is steep, cross at a place. On a steep
-    /// curve the abscissa says it, with its error; the steeper one has the last word.
+    /// When curves of which one at least is an arc, or lines neither of which is steep, cross at a place. On a steep curve the
+    /// abscissa says it, with its error. A steep line has the last word, then the steeper arc: an arc is much steeper than
+    /// a line only near its end, where it soon turns away.
     fn moment(&self, at: DVec2) -> Moment {
         if self.f.is_line() && self.g.is_line() {
             return Moment::from(at);
         }
+        let Some(steep) = self.steep_at(at) else { return Moment::from(at) };
+        let (x, low) = steep.twofold_x_at(at.y);
+        Moment { at: DVec2::new(x, at.y), low }
+    }
+
+    /// The curve whose abscissa tells when the two cross at a place, unless it is vertical or neither is steep there.
+    fn steep_at(&self, at: DVec2) -> Option<&Curve> {
+        if let Some(line) = [self.f, self.g].into_iter().find(|curve| curve.is_steep_line()) {
+            return (!line.is_vertical()).then_some(line);
+        }
         // The direction is the normal turned by a right angle.
         let [f, g] = [self.f, self.g].map(|curve| curve.gradient(at).perp());
         let (steeper, direction) = if (f.y * g.x).abs() > (g.y * f.x).abs() { (self.f, f) } else { (self.g, g) };
-        if steeper.is_vertical() || !is_steep(direction) {
-            return Moment::from(at);
-        }
-        let (x, low) = steeper.twofold_x_at(at.y);
-        Moment { at: DVec2::new(x, at.y), low }
+        is_steep(direction).then_some(steeper)
     }
 
     /// Order of curves that share an end and cannot cross: by direction there. Equal directions fall back on the index.
