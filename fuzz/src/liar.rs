@@ -2,6 +2,7 @@
 
 use arcsum::arrangement::cross::{CrossingModule, Crossings, FloatModule};
 use arcsum::arrangement::curve::Curve;
+use arcsum::arrangement::moment::Moment;
 use glam::DVec2;
 
 /// Noise of size up to `size` on distances and crossings, and the order of close pairs drawn by lot.
@@ -39,8 +40,8 @@ impl CrossingModule for Liar {
             return truth;
         }
         let noise = |i| self.noise(&[key(f), key(g), i]);
-        let moved: Vec<DVec2> = (truth.points().iter().enumerate())
-            .map(|(i, p)| *p + self.size * DVec2::new(noise(2 * i as u64), noise(2 * i as u64 + 1)))
+        let moved: Vec<Moment> = (truth.points().iter().enumerate())
+            .map(|(i, p)| Moment::from(p.at + self.size * DVec2::new(noise(2 * i as u64), noise(2 * i as u64 + 1))))
             .collect();
         let close = f.above(g.start).abs().min(g.above(f.start).abs()) < self.size;
         let below = if close { noise(7) > 0.0 } else { truth.below };

@@ -4,7 +4,9 @@
 //! against MPFR, is that wherever it says f is below g, no point of f is above g by more than a few eps. The sweep relies
 //! on nothing but this: the answer for a pair is a fixed function of the pair.
 
-use super::curve::{Curve, compare, order_at_end, order_at_start};
+use super::curve::{Curve, compare, is_steep, order_at_end, order_at_start};
+use super::moment::Moment;
+use crate::twofold::two_sum;
 use glam::DVec2;
 use std::cmp::Ordering;
 
@@ -17,7 +19,7 @@ pub struct Crossings {
     /// Whether f is below g where the common part begins.
     pub below: bool,
     /// The crossings, sorted; each changes the order.
-    at: [DVec2; 2],
+    at: [Moment; 2],
     count: u8,
 }
 
@@ -25,18 +27,18 @@ impl Crossings {
     /// No crossing.
     #[must_use]
     pub fn none(below: bool) -> Self {
-        Self { below, at: [DVec2::ZERO; 2], count: 0 }
+        Self { below, at: [Moment::from(DVec2::ZERO); 2], count: 0 }
     }
 
     /// One or two crossings, in any order.
     #[must_use]
-    pub fn at(below: bool, points: &[DVec2]) -> Self {
+    pub fn at(below: bool, points: &[Moment]) -> Self {
         let mut all = Self::none(below);
         for &p in points.iter().take(2) {
             all.at[usize::from(all.count)] = p;
             all.count += 1;
         }
-        if all.count == 2 && compare(all.at[0], all.at[1]).is_gt() {
+        if all.count == 2 && all.at[0].compare(&all.at[1]).is_gt() {
             all.at.swap(0, 1);
         }
         all
@@ -44,7 +46,7 @@ impl Crossings {
 
     /// The crossings in sweep order.
     #[must_use]
-    pub fn points(&self) -> &[DVec2] {
+    pub fn points(&self) -> &[Moment] {
         &self.at[..usize::from(self.count)]
     }
 
@@ -114,13 +116,63 @@ impl Pair<'_> {
         if (joined || meeting) && self.f.is_line() && self.g.is_line() || joined && meeting {
             return Crossings::none(self.order_at_shared(joined));
         }
+        if self.f.is_line() && self.g.is_line() && (self.f.is_steep_line() || self.g.is_steep_line()) {
+            return self.steep_lines();
+        }
         let (candidates, count) = self.candidates(joined, meeting);
         let candidates = &candidates[..count];
         let (start, end) = (self.sign_at_start(), self.sign_at_end());
         if count == 0 && start * end < 0 {
-            return Crossings::at(start < 0, &[self.bisect(start)]);
+            return Crossings::at(start < 0, &[self.moment(self.bisect(start))]);
         }
         self.changes(self.signs(candidates, start, end), candidates)
+    }
+
+    /// Lines of which one is steep. Their difference in y is linear, and known at both ends of the common part to a few eps,
+    /// so the fraction at which it vanishes and the abscissa there, in twofold precision, make it a few eps at most.
+    fn steep_lines(&self) -> Crossings {
+        let (p, q) = (self.gap_at_start(), self.gap_at_end());
+        let (start, end) = (self.sign(p), self.sign(q));
+        if start * end < 0 {
+            return Crossings::at(start < 0, &[self.interpolated(p / (p - q))]);
+        }
+        Crossings::none(if start == 0 { end <= 0 } else { start < 0 })
+    }
+
+    /// The moment at this fraction of the common part, the ordinate by the flatter line.
+    fn interpolated(&self, fraction: f64) -> Moment {
+        let (from, to) = (self.start().x, self.end().x);
+        let (x, low) = two_sum(from, fraction * (to - from));
+        let (f, g) = (self.f.chord(), self.g.chord());
+        let flat = if (f.y * g.x).abs() <= (g.y * f.x).abs() { self.f } else { self.g };
+        let (first, last) = (flat.y_at(from), flat.y_at(to));
+        let (f, g) = (self.f.y_range(), self.g.y_range());
+        let lowest = f.0.max(g.0);
+        let y = (first + fraction * (last - first)).clamp(lowest, f.1.min(g.1).max(lowest));
+        Moment { at: DVec2::new(x, y), low }
+    }
+
+    /// When curves of which one at least is an arc, or lines neither of which is steep, cross at a place. On a steep curve the
+    /// abscissa says it, with its error. A steep line has the last word, then the steeper arc: an arc is much steeper than
+    /// a line only near its end, where it soon turns away.
+    fn moment(&self, at: DVec2) -> Moment {
+        if self.f.is_line() && self.g.is_line() {
+            return Moment::from(at);
+        }
+        let Some(steep) = self.steep_at(at) else { return Moment::from(at) };
+        let (x, low) = steep.twofold_x_at(at.y);
+        Moment { at: DVec2::new(x, at.y), low }
+    }
+
+    /// The curve whose abscissa tells when the two cross at a place, unless it is vertical or neither is steep there.
+    fn steep_at(&self, at: DVec2) -> Option<&Curve> {
+        if let Some(line) = [self.f, self.g].into_iter().find(|curve| curve.is_steep_line()) {
+            return (!line.is_vertical()).then_some(line);
+        }
+        // The direction is the normal turned by a right angle.
+        let [f, g] = [self.f, self.g].map(|curve| curve.gradient(at).perp());
+        let (steeper, direction) = if (f.y * g.x).abs() > (g.y * f.x).abs() { (self.f, f) } else { (self.g, g) };
+        is_steep(direction).then_some(steeper)
     }
 
     /// Order of curves that share an end and cannot cross: by direction there. Equal directions fall back on the index.
@@ -156,11 +208,12 @@ impl Pair<'_> {
             sign = if change { **next } else { sign };
             change
         });
-        let kept: ([DVec2; 2], usize) = kept.fold(([DVec2::ZERO; 2], 0), |(mut all, n), (p, _)| {
-            all[n] = *p;
+        let none = [Moment::from(DVec2::ZERO); 2];
+        let (kept, count) = kept.fold((none, 0), |(mut all, n), (p, _)| {
+            all[n] = self.moment(*p);
             (all, n + 1)
         });
-        Crossings::at(first < 0, &kept.0[..kept.1])
+        Crossings::at(first < 0, &kept[..count])
     }
 
     fn start(&self) -> DVec2 {
@@ -185,10 +238,15 @@ impl Pair<'_> {
         if self.f.first == self.g.first {
             return order_at_start(self.f, self.g) as i8;
         }
+        self.sign(self.gap_at_start())
+    }
+
+    /// How far f is above g, vertically, at the start of the common part.
+    fn gap_at_start(&self) -> f64 {
         if compare(self.f.start, self.g.start).is_ge() {
-            self.sign(self.g.above(self.f.start))
+            self.g.above(self.f.start)
         } else {
-            -self.sign(self.f.above(self.g.start))
+            -self.f.above(self.g.start)
         }
     }
 
@@ -196,10 +254,15 @@ impl Pair<'_> {
         if self.f.last == self.g.last {
             return order_at_end(self.f, self.g) as i8;
         }
+        self.sign(self.gap_at_end())
+    }
+
+    /// How far f is above g, vertically, at the end of the common part.
+    fn gap_at_end(&self) -> f64 {
         if compare(self.f.right, self.g.right).is_le() {
-            self.sign(self.g.above(self.f.right))
+            self.g.above(self.f.right)
         } else {
-            -self.sign(self.f.above(self.g.right))
+            -self.f.above(self.g.right)
         }
     }
 

@@ -6,6 +6,7 @@
 
 use crate::angle::Ang;
 use crate::piece::Piece;
+use crate::twofold::two_sum;
 use glam::DVec2;
 use std::cmp::Ordering;
 
@@ -99,6 +100,12 @@ impl Curve {
         self.left.x == self.right.x
     }
 
+    /// Whether this is a line so steep that the rounding of x shows in y; true of verticals.
+    #[must_use]
+    pub fn is_steep_line(&self) -> bool {
+        self.is_line() && is_steep(self.chord())
+    }
+
     /// Least and greatest ordinate of the whole piece.
     #[must_use]
     pub fn y_range(&self) -> (f64, f64) {
@@ -136,13 +143,25 @@ impl Curve {
     /// Abscissa at ordinate `y`, by the same formula with the axes exchanged.
     #[must_use]
     pub fn x_at(&self, y: f64) -> f64 {
+        self.twofold_x_at(y).0.clamp(self.left.x, self.right.x)
+    }
+
+    /// Abscissa at ordinate `y` and its error: the distance from the nearer end is right to a few eps of itself.
+    #[must_use]
+    pub fn twofold_x_at(&self, y: f64) -> (f64, f64) {
         let c = self.chord();
-        let (base, offset) = if (y - self.left.y).abs() <= (self.right.y - y).abs() {
-            (self.left.x, solve(c.y, c.x, -self.sin, self.cos, y - self.left.y))
+        if (y - self.left.y).abs() <= (self.right.y - y).abs() {
+            two_sum(self.left.x, solve(c.y, c.x, -self.sin, self.cos, y - self.left.y))
         } else {
-            (self.right.x, solve(-c.y, -c.x, self.sin, self.cos, y - self.right.y))
-        };
-        (base + offset).clamp(self.left.x, self.right.x)
+            two_sum(self.right.x, solve(-c.y, -c.x, self.sin, self.cos, y - self.right.y))
+        }
+    }
+
+    /// A vector normal to the curve at a point of it.
+    #[must_use]
+    pub fn gradient(&self, p: DVec2) -> DVec2 {
+        let (normal, half_curvature) = self.implicit();
+        normal + 2.0 * half_curvature * (p - self.left)
     }
 
     /// How far `p` lies above the curve, vertically, for `p` within the x range; 0 on the line of a vertical. As a
@@ -179,6 +198,16 @@ impl Curve {
     }
 }
 
+/// Where the ordinate along a direction changes this many times faster than the abscissa, the rounding of x shows in y. Any
+/// small number serves: below it an error of a few eps in x is one of a few tens of eps in y.
+const STEEP: f64 = 8.0;
+
+/// Whether a direction is steep.
+#[must_use]
+pub fn is_steep(direction: DVec2) -> bool {
+    direction.y.abs() > STEEP * direction.x.abs()
+}
+
 /// Solves `s Y^2 - B Y + C0 = 0` for the ordinate Y over the abscissa `x`, both measured from one end of a curve with chord
 /// (cx, cy) (memo C1). Chooses the root that vanishes with `x`.
 fn solve(cx: f64, cy: f64, s: f64, c: f64, x: f64) -> f64 {
@@ -196,13 +225,34 @@ fn solve(cx: f64, cy: f64, s: f64, c: f64, x: f64) -> f64 {
 /// that they cannot be told apart there.
 #[must_use]
 pub fn order_at_start(f: &Curve, g: &Curve) -> Ordering {
+    if f.is_line() && g.is_line() { by_chord(f, g) } else { by_normal_at_start(f, g) }
+}
+
+/// The same by the normals of the pieces. Among lines and arcs at one vertex it is the order that is transitive: where a
+/// line goes on as an arc their normals are equal and the curvature decides, while the chord's would differ by rounding.
+#[must_use]
+pub fn by_normal_at_start(f: &Curve, g: &Curve) -> Ordering {
     direction(f.normals[0]).cmp(&direction(g.normals[0])).then(by_curvature(f, g))
 }
 
 /// Order of two curves that end at the same vertex, just to the left of it.
 #[must_use]
 pub fn order_at_end(f: &Curve, g: &Curve) -> Ordering {
+    if f.is_line() && g.is_line() {
+        return by_chord(g, f);
+    }
     direction(g.normals[1]).cmp(&direction(f.normals[1])).then(by_curvature(f, g))
+}
+
+/// Order of two lines to the right of a common point. The normal of a steep piece is as good in angle as that of its chord,
+/// but the rounding of the ends moves the line by far more in y than across, so the chord's counts.
+fn by_chord(f: &Curve, g: &Curve) -> Ordering {
+    let [f, g] = [f, g].map(|line| {
+        let chord =
+            if line.is_steep_line() && !line.is_vertical() { Ang::of_line(line.left, line.right) } else { None };
+        direction(chord.unwrap_or(line.normals[0]))
+    });
+    f.cmp(&g)
 }
 
 fn by_curvature(f: &Curve, g: &Curve) -> Ordering {

@@ -8,6 +8,7 @@ pub mod cross;
 pub mod curve;
 mod faces;
 pub mod graph;
+pub mod moment;
 pub mod status;
 mod sweep;
 pub mod trapezoid;

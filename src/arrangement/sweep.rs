@@ -11,9 +11,10 @@
 
 use super::audit::Audit;
 use super::cross::{CrossingModule, Crossings};
-use super::curve::{Curve, compare, order_at_start};
+use super::curve::{Curve, by_normal_at_start, compare, order_at_start};
 use super::faces::Faces;
 use super::graph::Graph;
+use super::moment::Moment;
 use super::status::{DOWN, NOWHERE, Place, Status, UP};
 use super::trapezoid::Trapezoid;
 use super::vertices::Vertices;
@@ -25,10 +26,7 @@ use std::collections::BinaryHeap;
 /// A crossing to come, of two curves that were neighbours in this order when it was queued.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Event {
-    /// When it happens.
-    key: DVec2,
-    /// Where it happens.
-    at: DVec2,
+    moment: Moment,
     lower: u32,
     upper: u32,
 }
@@ -43,7 +41,7 @@ impl PartialOrd for Event {
 
 impl Ord for Event {
     fn cmp(&self, other: &Self) -> Ordering {
-        compare(self.key, other.key).then(self.lower.cmp(&other.lower)).then(self.upper.cmp(&other.upper))
+        self.moment.compare(&other.moment).then(self.lower.cmp(&other.lower)).then(self.upper.cmp(&other.upper))
     }
 }
 
@@ -54,7 +52,10 @@ pub(super) struct Sweep<'m, M> {
     vertices: Vertices,
     status: Status,
     queue: BinaryHeap<Reverse<Event>>,
+    /// Where the sweep is.
     now: DVec2,
+    /// What rounding took from the abscissa of `now`.
+    low: f64,
     /// Lines found to cross exactly at a vertex still to come.
     joined: Vec<u32>,
     /// Open edge of each active curve.
@@ -84,6 +85,7 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
             status: Status::new(),
             queue: BinaryHeap::new(),
             now: DVec2::NEG_INFINITY,
+            low: 0.0,
             joined: Vec::new(),
             gap: Vec::new(),
             since: Vec::new(),
@@ -98,12 +100,12 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
         for vertex in 0..self.vertices.points.len() as u32 {
             let point = self.vertices.points[vertex as usize];
             while let Some(&Reverse(event)) = self.queue.peek()
-                && compare(event.key, point).is_le()
+                && event.moment.compare(&Moment::from(point)).is_le()
             {
                 self.queue.pop();
                 self.cross(event, point);
             }
-            self.now = point;
+            (self.now, self.low) = (point, 0.0);
             self.vertex(vertex);
         }
         self.audit.vertices = self.graph.points.len();
@@ -124,8 +126,9 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
             self.audit.stale += 1;
             return;
         }
-        self.now = event.key;
-        if event.at == next_vertex && self.passes(event.lower) && self.passes(event.upper) {
+        let Moment { at, low } = event.moment;
+        (self.now, self.low) = (at, low);
+        if at == next_vertex && self.passes(event.lower) && self.passes(event.upper) {
             self.joined.extend([event.lower, event.upper]);
             return;
         }
@@ -134,7 +137,7 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
             return;
         }
         self.audit.crossings += 1;
-        self.swap(lower, upper, Some(event.at));
+        self.swap(lower, upper, Some(at));
         self.restore(vec![self.status.near(lower, DOWN), lower, upper]);
     }
 
@@ -160,39 +163,30 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
         let (f, g) = (self.status.curve(lower), self.status.curve(upper));
         let answer = self.crossings(f, g);
         let (mut below, mut place) = (answer.below, None);
-        for &at in answer.points() {
-            let key = if below { self.key_of(at, f, g) } else { self.key_of(at, g, f) };
-            if compare(key, self.now).is_gt() {
+        let now = Moment { at: self.now, low: self.low };
+        for &crossing in answer.points() {
+            let moment = self.while_active(crossing, f, g);
+            if moment.compare(&now).is_gt() {
                 if below {
-                    self.queue.push(Reverse(Event { key, at, lower: f, upper: g }));
+                    self.queue.push(Reverse(Event { moment, lower: f, upper: g }));
                     self.audit.queued += 1;
                 }
                 break;
             }
             below = !below;
             // On steep curves the place may be far in y though it is late by no more than a rounding of x.
-            place = ((at.x - self.now.x).abs() <= self.module.tolerance()).then_some(at);
+            let place_now = (moment.at.x - now.at.x).abs() <= self.module.tolerance();
+            place = place_now.then_some(moment.at);
         }
         if below { Ok(()) } else { Err(place) }
     }
 
-    /// When a crossing happens. On lines that rise or fall by much within one unit in the last place of x, its place may be a
-    /// rounding of x away and yet far in y from where they are there. A vertex between them at that x belongs above the lower
-    /// one and below the upper one, and which is which changes when the sweep passes the one that was `upper` before. So that
-    /// is the time, but within the time both curves are active.
-    fn key_of(&self, at: DVec2, lower: u32, upper: u32) -> DVec2 {
-        let (f, g) = (&self.curves[lower as usize], &self.curves[upper as usize]);
-        let y = if g.is_vertical() { at.y } else { g.y_at(at.x) };
-        let at = if (y - at.y).abs() > self.module.tolerance() { DVec2::new(at.x, y) } else { at };
-        let start = if compare(f.start, g.start).is_ge() { f.start } else { g.start };
-        let end = if compare(f.right, g.right).is_le() { f.right } else { g.right };
-        if compare(at, start).is_lt() {
-            start
-        } else if compare(at, end).is_gt() {
-            end
-        } else {
-            at
-        }
+    /// The moment of a crossing, moved into the time when both curves are active.
+    fn while_active(&self, crossing: Moment, f: u32, g: u32) -> Moment {
+        let (f, g) = (&self.curves[f as usize], &self.curves[g as usize]);
+        let start = Moment::from(f.start).max(Moment::from(g.start));
+        let end = Moment::from(f.right).min(Moment::from(g.right));
+        crossing.max(start).min(end)
     }
 
     /// Swaps neighbours until all agree with the module again.
@@ -279,9 +273,9 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
 
     /// Sorts curves that start at the current vertex upwards; ties by index.
     fn sort_by_direction(&self, starting: &mut [u32]) {
-        starting.sort_unstable_by(|f, g| {
-            order_at_start(&self.curves[*f as usize], &self.curves[*g as usize]).then(f.cmp(g))
-        });
+        let lines = starting.iter().all(|c| self.curves[*c as usize].is_line());
+        let order = if lines { order_at_start } else { by_normal_at_start };
+        starting.sort_unstable_by(|f, g| order(&self.curves[*f as usize], &self.curves[*g as usize]).then(f.cmp(g)));
     }
 
     /// Where the current point lies in the status when nothing ends there: the places around it, and the line it hits.

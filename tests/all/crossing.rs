@@ -3,7 +3,7 @@
 
 use arcsum::angle::Ang;
 use arcsum::arrangement::cross::{CrossingModule, Crossings, EPS, FloatModule};
-use arcsum::arrangement::curve::{Curve, compare};
+use arcsum::arrangement::curve::Curve;
 use arcsum::piece::{Piece, Source};
 use arcsum_tests::cases;
 use glam::DVec2;
@@ -89,7 +89,7 @@ fn curve(index: u32, ends: [(u32, DVec2); 2], delta: f64) -> Option<Curve> {
 fn excess(f: &Curve, g: &Curve, answer: &Crossings) -> f64 {
     let (exact_f, exact_g) = (Exact::new(f), Exact::new(g));
     let mut worst = 0.0_f64;
-    let crossing_fractions = answer.points().iter().map(|p| (*p - f.left).length() / f.chord().length());
+    let crossing_fractions = answer.points().iter().map(|p| (p.at - f.left).length() / f.chord().length());
     let near = |c: f64| [-1e-3, -1e-7, -1e-12, 0.0, 1e-12, 1e-7, 1e-3].map(|d| c + d);
     let spread = (0..=20).map(|i| f64::from(i) / 20.0);
     for fraction in spread.chain(crossing_fractions.flat_map(near)).filter(|t| (0.0..=1.0).contains(t)) {
@@ -99,7 +99,7 @@ fn excess(f: &Curve, g: &Curve, answer: &Crossings) -> f64 {
         if !inside || g.is_vertical() {
             continue;
         }
-        let passed = answer.points().iter().filter(|c| compare(**c, q).is_le()).count();
+        let passed = answer.points().iter().filter(|c| c.compare(&q.into()).is_le()).count();
         let below = answer.below ^ (passed % 2 == 1);
         let above = exact_g.above(&p);
         // Outside the box of a monotone arc its circle says nothing.

@@ -116,6 +116,40 @@ fn vertices_between_steep_lines_stay_in_order() {
     assert!(measured(&a, &b).2.hi <= BOUND);
 }
 
+/// Lines whose ends are one unit in the last place of x apart. Once the place of their crossing with others, right in x to
+/// that unit and far off in y, was also its time, and vertices at the same x came on the wrong side of it.
+#[test]
+fn vertices_within_one_rounding_of_x_stay_in_order() {
+    let lines = |loops: [[(f64, f64); 4]; 2]| Region {
+        loops: loops.iter().map(|l| l.iter().map(|&(x, y)| Node::line(y, -x)).collect()).collect(),
+        ..Region::default()
+    };
+    let a = lines([
+        [
+            (0.1, 0.0),
+            (0.1, 0.058823529411764705),
+            (-1.2446682289539894, 0.05882352941176469),
+            (-1.2446682289539894, 0.0),
+        ],
+        [
+            (0.09999999999999999, 0.11764705882352941),
+            (0.1, 0.17647058823529413),
+            (-0.9702013569583222, 0.17647058823529418),
+            (-0.8898079036808643, 0.11764705882352941),
+        ],
+    ]);
+    let b = lines([
+        [(1.87358773691313, 0.0), (1.9020423056889035, 0.058823529411764705), (-0.1, 0.05882352941176473), (-0.1, 0.0)],
+        [
+            (0.5465245698359941, 0.11764705882352941),
+            (0.5465245698359941, 0.1764705882352942),
+            (-0.3383784965691047, 0.17647058823529416),
+            (-0.14143408915177472, 0.11764705882352941),
+        ],
+    ]);
+    assert!(measured(&a, &b).2.hi <= BOUND);
+}
+
 // Bars are dear to judge.
 proptest! {
     #![proptest_config(cases(1000))]
