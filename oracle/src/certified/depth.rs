@@ -34,11 +34,8 @@ use crate::plain::PlainRegion;
 use crate::point::Point;
 use crate::region::ExactRegion;
 
-/// An inradius is not refined further when it is this well known,
-const FLOOR: f64 = 1.0 / (1u64 << 58) as f64;
-
-/// or up to this part of the depth of the deepest of the first points tried.
-const LOOSE: f64 = 0.125;
+/// An inradius is not refined further when it is this well known.
+const FLOOR: f64 = 1.0 / (1u64 << 60) as f64;
 
 /// Contacts are told from overlaps with numbers of this precision: a few times what the predicates need of doubles.
 const LIMIT: Precision = Precision::LADDER[3];
@@ -95,7 +92,7 @@ pub struct Depths<'a> {
 /// The overlap of A and t - B.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Overlap {
-    /// The inradius, a bracket that is at most an eighth of it or 2^-58 wide unless the search is given up.
+    /// The inradius, a bracket that is at most 1/32 of it or 2^-60 wide unless the search is given up.
     pub rho: Interval,
     /// The size of the largest trapezoid, a float; NaN if the regions cannot be cut into trapezoids.
     pub trap: f64,
@@ -195,7 +192,7 @@ impl<'a> Depths<'a> {
 fn inradius(parts: &[Trapezoid], boundary: &[Arc<Curve>], blur: f64) -> Result<Interval, OracleError> {
     let boundary = Nearest::new(boundary)?;
     let mut search = Reach::new(&boundary, parts);
-    let hi = search.refine(0.0, FLOOR.max(LOOSE * search.reached().0));
+    let hi = search.refine(0.0, FLOOR);
     let lo = search.reached().0;
     let hidden = blur + HIDDEN;
     let rho = Interval::new(lo, hi.max(lo)) + Interval::new(-hidden, hidden);

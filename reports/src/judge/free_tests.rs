@@ -42,11 +42,11 @@ fn dug(outer: Region, from: [f64; 2], to: [f64; 2]) -> Region {
     region([outer.loops, vec![hole]].concat())
 }
 
-/// Whether a bracket holds the truth and is no wider than an eighth of it.
+/// Whether a bracket holds the truth and is no wider than 1/32 of it.
 fn holds(bracket: Greatest, truth: f64) -> bool {
     let (Some(lo), Some(hi)) = (bracket.lo, bracket.hi) else { return false };
     let slack = 1e-15;
-    lo <= truth + slack && truth - slack <= hi && hi <= 1.13 * lo + slack
+    lo <= truth + slack && truth - slack <= hi && hi <= 1.032 * lo + slack
 }
 
 #[test]
