@@ -76,9 +76,9 @@ pub struct Row {
     pub tested: Option<u64>,
     /// Of these, blocked ones with rho > mu,
     pub falsely_free: Option<u64>,
-    /// with pd <= mu,
+    /// ones that are blocked with pd <= mu or that near to the sum,
     pub innocent: Option<u64>,
-    /// and with neither shown.
+    /// and ones that may be blocked, with neither shown.
     pub open: Option<u64>,
     /// Tested points inside blocked cells that are free.
     pub falsely_blocked: Option<u64>,

@@ -134,6 +134,12 @@ impl<'a> Depths<'a> {
         self.membership.state_within(t, LIMIT)
     }
 
+    /// The same as far as doubles tell.
+    #[must_use]
+    pub fn rough_state(&self, t: &Spot) -> State {
+        self.membership.state_within(t, Precision::DOUBLE)
+    }
+
     /// The penetration depth of a blocked t; infinite if nothing is free.
     #[must_use]
     pub fn pd(&self, t: &Spot) -> Interval {

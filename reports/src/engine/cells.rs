@@ -11,7 +11,7 @@ use arcsum::arrangement::trapezoid::Trapezoid;
 use arcsum::sum::Sum;
 
 /// Trapezoids of free cells, and of blocked ones, that are handed over without leaving any out.
-const MOST: usize = 2_000;
+const MOST: usize = 500;
 
 /// Trapezoids of a small cell.
 const SMALL: usize = 4;

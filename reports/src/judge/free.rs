@@ -7,7 +7,7 @@
 //! Points on a boundary are blocked by a rounding as often as not, and so are points inside cells as thin as that. So a
 //! blocked point is *falsely free* only if rho > mu: no perturbation by mu frees it. It is *innocent* if pd <= mu: a
 //! translation frees it. What is neither stays open by these tests. A *bubble* is a free cell all of whose points inside
-//! (all corners, if it is too thin for points inside) are blocked and not innocent, a *crack* a free cell with some such
+//! (all corners, if it is too thin for points inside) are blocked, as far as can be told, and not innocent, a *crack* a free cell with some such
 //! points inside but not all. The other way round there is nothing to forgive: *falsely blocked* is every point inside a
 //! blocked cell that is free; mu bounds how far from the sum it is.
 //!
@@ -27,8 +27,8 @@ use serde::{Deserialize, Serialize};
 /// Points nearer to the boundary of the sum than this are taken for contacts without asking further.
 const CONTACT: f64 = 1.0 / (1u128 << 80) as f64;
 
-/// Deepest points that are measured whether or not their inradius matters, for the sake of their trapezoid number.
-const DEEPEST: usize = 16;
+/// Deepest points of which the overlap is measured even if they are innocent, for the sake of their trapezoid number.
+const DEEPEST: usize = 4;
 
 /// Overlaps measured in a case, times the segments of both operands.
 const EFFORT: usize = 20_000;
@@ -61,9 +61,9 @@ pub struct Findings {
     pub tested: u64,
     /// Of these, blocked ones with rho > mu,
     pub falsely_free: u64,
-    /// with pd <= mu,
+    /// ones that are blocked with pd <= mu or that near to the sum,
     pub innocent: u64,
-    /// and with neither shown.
+    /// and ones that may be blocked, with neither shown.
     pub open: u64,
     /// Bubbles; none if the engine does not show its cells.
     pub bubbles: Option<u64>,
@@ -79,10 +79,10 @@ pub struct Findings {
 struct Suspect {
     spot: Spot,
     pd: Interval,
-    /// Whether it certainly is.
-    blocked: bool,
     /// A depth that is forgiven: mu and the rounding of the point.
     mu: f64,
+    /// Whether it certainly is, or certainly is not, as far as anybody asked.
+    blocked: Option<bool>,
 }
 
 /// The tests of one answer.
@@ -149,18 +149,23 @@ impl Tests<'_> {
     /// Whether a point that should be free is blocked and not innocent. What may be blocked becomes a suspect.
     fn is_guilty(&mut self, place: Place) -> bool {
         self.tested += 1;
+        let rough = self.depths.rough_state(&place.spot);
+        if rough == State::Free {
+            return false;
+        }
         let pd = self.depths.pd(&place.spot);
         if pd.hi() < CONTACT {
             self.contact = self.contact.max(pd.hi());
             return false;
         }
-        let state = self.depths.state(&place.spot);
-        if state == State::Free {
-            return false;
+        let mu = (self.mu + place.off).next_up();
+        let mut suspect = Suspect { spot: place.spot, pd, mu, blocked: (rough == State::Blocked).then_some(true) };
+        // Of what is innocent if it is blocked, few matter: the others need not be told from free points.
+        let guilty = pd.hi() > mu && suspect.is_blocked(self.depths) != Some(false);
+        if suspect.blocked != Some(false) {
+            self.suspects.push(suspect);
         }
-        let (blocked, mu) = (state == State::Blocked, (self.mu + place.off).next_up());
-        self.suspects.push(Suspect { spot: place.spot, pd, blocked, mu });
-        blocked && pd.hi() > mu
+        guilty
     }
 
     /// Measures the suspects, the deepest first: as 2 rho <= pd, the others soon do not matter.
@@ -169,19 +174,23 @@ impl Tests<'_> {
         let most = (EFFORT / segments.max(1)).clamp(DEEPEST, MOST_OVERLAPS);
         let (mut rho, mut pd, mut trap) = ((0.0_f64, half(self.contact)), (0.0_f64, self.contact), 0.0_f64);
         let mut measured = 0;
-        for suspect in &self.suspects {
-            pd = (pd.0.max(if suspect.blocked { suspect.pd.lo() } else { 0.0 }), pd.1.max(suspect.pd.hi()));
+        for mut suspect in self.suspects {
             let deepest = half(suspect.pd.hi());
-            let matters = measured < DEEPEST || deepest > rho.0 || deepest > suspect.mu;
+            let matters = measured < DEEPEST || deepest > suspect.mu;
             let mut known = Interval::new(0.0, deepest);
-            if suspect.blocked && matters && measured < most {
-                let overlap = self.depths.overlap(&suspect.spot, suspect.pd)?;
-                (known, trap) = (overlap.rho, trap.max(overlap.trap));
-                measured += 1;
+            if (matters || suspect.pd.hi() > pd.0) && suspect.is_blocked(self.depths) == Some(true) {
+                pd.0 = pd.0.max(suspect.pd.lo());
+                if matters && measured < most {
+                    let overlap = self.depths.overlap(&suspect.spot, suspect.pd)?;
+                    (known, trap) = (overlap.rho, trap.max(overlap.trap));
+                    measured += 1;
+                }
             }
-            rho = (rho.0.max(known.lo()), rho.1.max(known.hi()));
-            let count = suspect.verdict(known, findings);
-            *count += 1;
+            if suspect.blocked != Some(false) {
+                pd.1 = pd.1.max(suspect.pd.hi());
+                rho = (rho.0.max(known.lo()), rho.1.max(known.hi()));
+                *suspect.verdict(known, findings) += 1;
+            }
         }
         findings.tested = self.tested;
         (findings.rho, findings.pd, findings.trap) = (Greatest::from(rho), Greatest::from(pd), Some(trap));
@@ -190,6 +199,18 @@ impl Tests<'_> {
 }
 
 impl Suspect {
+    /// Whether the point certainly is blocked, or certainly free.
+    fn is_blocked(&mut self, depths: &Depths<'_>) -> Option<bool> {
+        if self.blocked.is_none() {
+            self.blocked = match depths.state(&self.spot) {
+                State::Blocked => Some(true),
+                State::Free => Some(false),
+                State::Undecided => None,
+            };
+        }
+        self.blocked
+    }
+
     /// The count that a point of this inradius belongs to.
     fn verdict<'a>(&self, rho: Interval, findings: &'a mut Findings) -> &'a mut u64 {
         if rho.lo() > self.mu {

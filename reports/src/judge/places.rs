@@ -8,7 +8,7 @@ use arcsum_oracle::certified::spot::Spot;
 use arcsum_oracle::certified::vector::Vector;
 
 /// Vertices and middles of the result that are tested; of more, every so many.
-const MOST: usize = 4_000;
+const MOST: usize = 1_000;
 
 /// What the roundings of a middle or of a corner make of its coordinates, relative to the largest one or to 1: fewer than
 /// eight of half a last place each.
