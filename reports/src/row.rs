@@ -74,7 +74,9 @@ pub struct Row {
     pub trap: Option<f64>,
     /// Tested points that should be free.
     pub tested: Option<u64>,
-    /// Of these, blocked ones with rho > mu,
+    /// Trapezoids of cells, vertices and middles that were left out, because there are many.
+    pub left_out: Option<u64>,
+    /// Of the tested points, blocked ones with rho > mu,
     pub falsely_free: Option<u64>,
     /// ones that are blocked with pd <= mu or that near to the sum,
     pub innocent: Option<u64>,

@@ -91,11 +91,9 @@ impl Judgement {
 
 impl Judgement {
     /// Adds what falsely free points show, if the error is known at all.
-    fn with_free(mut self, case: &Case, answer: &Answer, sum: &Summed) -> Result<Self, OracleError> {
+    fn with_free(self, case: &Case, answer: &Answer, sum: &Summed) -> Result<Self, OracleError> {
         let Some(mu) = self.mu_hi.filter(|mu| mu.is_finite()) else { return Ok(self) };
         let findings = free::test(&Depths::new(sum)?, answer, mu, unit(&case.a, &case.b), case.segments())?;
-        let sentences = [&self.note, &findings.note].map(String::as_str);
-        self.note = sentences.into_iter().filter(|s| !s.is_empty()).collect::<Vec<_>>().join("; ");
         Ok(Self { free: Some(findings), ..self })
     }
 }

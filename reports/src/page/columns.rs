@@ -22,7 +22,7 @@ const fn length(name: &'static str, toward: Toward, meaning: &'static str) -> Co
 }
 
 /// All columns of a row; lengths in unit-box lengths and times in milliseconds unless they say otherwise.
-pub const COLUMNS: [Column; 45] = [
+pub const COLUMNS: [Column; 46] = [
     column("case", "the pair of regions"),
     column("family", "the family or folder it belongs to"),
     column("engine", "the engine under test"),
@@ -46,7 +46,8 @@ pub const COLUMNS: [Column; 45] = [
     length("pd_hi", Toward::Up, "upper bound of it"),
     length("trap", Toward::Nearest, "Milenkovic and Sacks' trapezoid number at the deepest tested points"),
     column("tested", "points that the engine takes for free and that were tested"),
-    column("falsely_free", "blocked ones among them with rho > mu"),
+    column("left_out", "trapezoids, vertices and middles of segments that were not, because there are many"),
+    column("falsely_free", "blocked ones among the tested points with rho > mu"),
     column("innocent", "ones among them that are blocked with pd <= mu or that near to the sum"),
     column("open", "ones among them that may be blocked, with neither shown"),
     column("falsely_blocked", "tested points inside blocked cells that are free"),

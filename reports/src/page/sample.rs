@@ -30,6 +30,7 @@ pub fn row(number: usize, mu_hi: Option<f64>) -> Row {
         pd_hi: None,
         trap: None,
         tested: None,
+        left_out: None,
         falsely_free: None,
         innocent: None,
         open: None,

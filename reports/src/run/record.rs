@@ -70,7 +70,7 @@ fn enter_judgement(row: &mut Row, judgement: &Judgement) {
     if let Some(free) = &judgement.free {
         (row.rho_lo, row.rho_hi) = (free.rho.lo, free.rho.hi);
         (row.pd_lo, row.pd_hi, row.trap) = (free.pd.lo, free.pd.hi, free.trap);
-        row.tested = Some(free.tested);
+        (row.tested, row.left_out) = (Some(free.tested), Some(free.left_out));
         (row.falsely_free, row.innocent, row.open) = (Some(free.falsely_free), Some(free.innocent), Some(free.open));
         row.falsely_blocked = free.falsely_blocked;
         (row.bubbles, row.cracks) = (free.bubbles, free.cracks);
@@ -110,6 +110,7 @@ fn blank(case: &Case, engine: &Facts) -> Row {
         pd_hi: None,
         trap: None,
         tested: None,
+        left_out: None,
         falsely_free: None,
         innocent: None,
         open: None,
