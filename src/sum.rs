@@ -79,19 +79,7 @@ pub fn sum(a: &Region, b: &Region, options: &Options) -> Result<Sum, SumError> {
     Ok(Sum { region, convolution, frames, arrangement, times })
 }
 
-/// Free cells whose largest trapezoid is below this count as bubbles: the threshold of MS 8, in the unit box.
-pub const BUBBLE: f64 = 1e-13;
-
 impl Sum {
-    /// Bounded free cells too small to be real (MS 7). The kinetic convolution makes them where curves touch; they stay in
-    /// the result as holes of a few eps.
-    #[must_use]
-    pub fn bubbles(&self) -> usize {
-        let sizes = self.arrangement.largest_trapezoids();
-        let cells = self.arrangement.graph.windings.iter().zip(sizes).skip(1);
-        cells.filter(|(winding, size)| winding[0] == 0 && *size < BUBBLE).count()
-    }
-
     /// Cells of negative winding number. The sum takes them in, as MS 4 does; there are none in exact arithmetic.
     #[must_use]
     pub fn negative_cells(&self) -> usize {

@@ -57,14 +57,33 @@ pub struct Row {
     pub mu_realized_lo: Option<f64>,
     /// Upper bound.
     pub mu_realized_hi: Option<f64>,
-    /// Greatest inradius of the intersection at tested free points.
-    pub rho: Option<f64>,
-    /// Penetration depth at the same points.
-    pub pd: Option<f64>,
-    /// Milenkovic and Sacks' trapezoid number.
+    /// Greatest inradius of the overlap at tested points that should be free: certified lower bound.
+    #[serde(default, with = "number")]
+    pub rho_lo: Option<f64>,
+    /// Certified upper bound of it.
+    #[serde(default, with = "number")]
+    pub rho_hi: Option<f64>,
+    /// Greatest penetration depth at the same points: certified lower bound.
+    #[serde(default, with = "number")]
+    pub pd_lo: Option<f64>,
+    /// Certified upper bound of it.
+    #[serde(default, with = "number")]
+    pub pd_hi: Option<f64>,
+    /// Milenkovic and Sacks' trapezoid number, the greatest at the deepest of these points; a float.
+    #[serde(default, with = "number")]
     pub trap: Option<f64>,
-    /// Tested free points with rho > mu.
+    /// Tested points that should be free.
+    pub tested: Option<u64>,
+    /// Trapezoids of cells, vertices and middles that were left out, because there are many.
+    pub left_out: Option<u64>,
+    /// Of the tested points, blocked ones with rho > mu,
     pub falsely_free: Option<u64>,
+    /// ones that are blocked with pd <= mu or that near to the sum,
+    pub innocent: Option<u64>,
+    /// and ones that may be blocked, with neither shown.
+    pub open: Option<u64>,
+    /// Tested points inside blocked cells that are free.
+    pub falsely_blocked: Option<u64>,
     /// Segments of A.
     pub n: u64,
     /// Segments of B.
@@ -87,9 +106,9 @@ pub struct Row {
     pub cancelled: Option<u64>,
     /// Cells of the arrangement.
     pub cells: Option<u64>,
-    /// Bubbles.
+    /// Free cells all of whose tested points are blocked, with pd > mu.
     pub bubbles: Option<u64>,
-    /// Cracks.
+    /// Free cells some but not all of whose tested points inside are.
     pub cracks: Option<u64>,
     /// Segments of the result.
     pub result_segments: Option<u64>,

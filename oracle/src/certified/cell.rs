@@ -240,21 +240,20 @@ impl Outline {
         let middle = self.middle();
         let radius = self.farthest(&middle);
         let [a, b] = [(first, pieces[0]), (second, pieces[1])].map(|(side, piece)| Slope::new(piece, side, &middle));
+        let bend = a.bend(&radius) + b.bend(&radius);
+        let turning = &radius * &((&a.direction + &b.direction).length() + &radius * &bend * 0.5);
         let rise = match (&pieces[0].circle, &pieces[1].circle) {
             // The directions from two centres differ by at most 2|c-d| / (|p-c| + |p-d|).
             (Some(c), Some(d)) if first != second => {
                 let arms = [c, d].map(|circle| middle.distance(&circle.centre) - &radius);
                 let [near, far] = &arms;
                 if arms.iter().all(Real::is_positive) {
-                    c.centre.distance(&d.centre) * &radius * 2.0 / (near + far)
+                    turning.min(&(c.centre.distance(&d.centre) * &radius * 2.0 / (near + far)))
                 } else {
-                    Real::from(f64::INFINITY)
+                    turning
                 }
             }
-            _ => {
-                let bend = a.bend(&radius) + b.bend(&radius);
-                &radius * &((&a.direction + &b.direction).length() + &radius * &bend * 0.5)
-            }
+            _ => turning,
         };
         ((a.height + b.height + rise) * 0.5).hi() + 2.0 * SLIP
     }

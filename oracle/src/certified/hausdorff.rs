@@ -10,7 +10,7 @@
 use super::nearest::Nearest;
 use super::reach::Reach;
 use super::shape::Shape;
-use super::slabs::{Differences, Layer, differences};
+use super::slabs::{Layer, Parts, differences};
 use super::strips::Span;
 use super::vector::Vector;
 use crate::error::OracleError;
@@ -69,7 +69,7 @@ pub fn between(result: &Outline, truth: &Outline) -> Result<Option<Found>, Oracl
 }
 
 /// The bracket over all trapezoids of both differences.
-fn bracket(found: &Differences) -> Result<Found, OracleError> {
+fn bracket(found: &Parts) -> Result<Found, OracleError> {
     let [of_result, of_truth] = &found.edges;
     let (to_truth, to_result) = (Nearest::new(of_truth)?, Nearest::new(of_result)?);
     let mut forth = Reach::new(&to_truth, &found.parts[0]);

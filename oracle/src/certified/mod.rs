@@ -11,6 +11,7 @@ pub mod cell;
 pub mod chain;
 pub mod crossing;
 pub mod curve;
+pub mod depth;
 pub mod direction;
 pub mod distance;
 pub mod fan;

@@ -7,6 +7,7 @@
 use std::sync::Arc;
 
 use super::boundary::{Edge, boundary};
+use super::depth::Summed;
 use super::hausdorff::{Found, Outline, between};
 use super::membership::Membership;
 use super::nearest::FINE;
@@ -25,8 +26,8 @@ const SLACK: f64 = 1.0 / (1u128 << 80) as f64;
 pub struct Reference {
     membership: Membership,
     sum: Outline,
+    summed: Summed,
     unit: f64,
-    blur: f64,
     undecided: usize,
     loops: Option<usize>,
 }
@@ -51,13 +52,14 @@ impl Reference {
         boundary.check_closed()?;
         let span = |edge: &Edge| Span { curve: Arc::clone(&edge.curve), ends: edge.ends.clone() };
         let pieces = boundary.edges.iter().map(span).collect();
+        let curves = boundary.edges.iter().map(|edge| Arc::clone(&edge.curve)).collect();
         let is_empty = |shape: &Shape| shape.sides().next().is_none() && !shape.unbounded;
         let unbounded = (a.unbounded || b.unbounded) && !is_empty(a) && !is_empty(b);
         Ok(Self {
             membership: Membership::new(a, b),
             sum: Outline { pieces, unbounded },
+            summed: Summed::new([a.clone(), b.clone()], curves, boundary.blur),
             unit,
-            blur: boundary.blur,
             undecided: boundary.undecided.len(),
             loops: boundary.loops()?,
         })
@@ -67,6 +69,12 @@ impl Reference {
     #[must_use]
     pub fn sum(&self) -> &Outline {
         &self.sum
+    }
+
+    /// The regions and the boundary of their sum, in the unit box, to measure overlaps with ([`super::depth`]).
+    #[must_use]
+    pub fn summed(&self) -> &Summed {
+        &self.summed
     }
 
     /// The number of stretches of sum curves of which it is undecided whether they bound the sum.
@@ -94,7 +102,7 @@ impl Reference {
         let result = Outline::from(&Shape::new(&scaled(result, self.unit)?)?);
         let Some(found) = between(&result, &self.sum)? else { return Ok(None) };
         self.confirm(&found)?;
-        let mut bracket = found.bracket.widened(self.blur);
+        let mut bracket = found.bracket.widened(self.summed.blur());
         bracket.witness = (bracket.witness.0 * self.unit, bracket.witness.1 * self.unit);
         Ok(Some(bracket))
     }
@@ -104,7 +112,7 @@ impl Reference {
         let Some(place) = place.clone().filter(|_| bracket.direction == Direction::FromResult) else { return Ok(()) };
         let spot = Spot::new(move |precision| Vector { x: place.x.rounded(precision), y: place.y.rounded(precision) });
         let distance = self.membership.distance(&spot, FINE);
-        let slack = SLACK + self.blur;
+        let slack = SLACK + self.summed.blur();
         if distance.hi() < bracket.lo - slack || distance.lo() > bracket.hi + slack {
             return Err(OracleError::Inconsistent("a distance to the boundary of the sum is not the one to the sum"));
         }
@@ -113,7 +121,7 @@ impl Reference {
 }
 
 /// The region in units of `unit`, a power of two.
-fn scaled(region: &PlainRegion, unit: f64) -> Result<PlainRegion, OracleError> {
+pub(super) fn scaled(region: &PlainRegion, unit: f64) -> Result<PlainRegion, OracleError> {
     let mut result = region.clone();
     for (ring, corners) in result.loops.iter_mut().enumerate() {
         for (vertex, corner) in corners.iter_mut().enumerate() {

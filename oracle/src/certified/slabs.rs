@@ -1,9 +1,10 @@
-//! What one region has and another has not, in trapezoids between two curves of their boundaries.
+//! What one region has and another has not, or what they have in common, in trapezoids between two curves of their
+//! boundaries.
 //!
 //! A brute-force vertical decomposition: in the slab between two strips ([`super::strips`]) the curves are in a fixed
 //! vertical order, which changes from slab to slab only for the curves involved in the strip between them. Winding
 //! numbers counted upward tell which gaps belong to a region. Curves that coincide leave gaps of no height, which are
-//! skipped. What lies in the strips is not looked at: it is within [`Differences::blur`] of what lies beside them.
+//! skipped. What lies in the strips is not looked at: it is within [`Parts::blur`] of what lies beside them.
 
 use std::cmp::Ordering;
 use std::collections::HashMap;
@@ -29,7 +30,7 @@ pub struct Trapezoid {
     pub walls: [Arc<Curve>; 2],
 }
 
-/// One of two regions to compare.
+/// One of two regions.
 #[derive(Clone, Copy)]
 pub struct Layer<'a> {
     /// Its boundary: closed loops with the interior, the points of winding number other than 0, on the left.
@@ -38,9 +39,10 @@ pub struct Layer<'a> {
     pub base: i32,
 }
 
-/// The differences of two regions.
-pub struct Differences {
-    /// Trapezoids that make up the first region without the second, and the second without the first.
+/// Parts of the plane that two regions tell apart.
+pub struct Parts {
+    /// Trapezoids that make up the first region without the second and the second without the first, or the intersection
+    /// and nothing.
     pub parts: [Vec<Trapezoid>; 2],
     /// The curves of each region's boundary, without stretches that have no part of the region on either side.
     pub edges: [Vec<Arc<Curve>>; 2],
@@ -53,11 +55,27 @@ pub struct Differences {
 /// # Errors
 /// [`OracleError::BadNumber`] for coordinates too large for doubles, [`OracleError::Inconsistent`] for loops that do not
 /// close.
-pub fn differences(layers: [Layer<'_>; 2]) -> Result<Option<Differences>, OracleError> {
+pub fn differences(layers: [Layer<'_>; 2]) -> Result<Option<Parts>, OracleError> {
+    decompose(layers, |inside| (inside[0] != inside[1]).then_some(usize::from(inside[1])))
+}
+
+/// The intersection of two regions of which one is bounded, in the first part; `None` if it is undecided how two of their
+/// curves meet.
+///
+/// # Errors
+/// As [`differences`].
+pub fn intersection(layers: [Layer<'_>; 2]) -> Result<Option<Parts>, OracleError> {
+    decompose(layers, |inside| (inside[0] && inside[1]).then_some(0))
+}
+
+/// Which part a gap belongs to, given whether it is inside each region.
+type Select = fn([bool; 2]) -> Option<usize>;
+
+fn decompose(layers: [Layer<'_>; 2], select: Select) -> Result<Option<Parts>, OracleError> {
     let pieces: Vec<&Span> = layers.iter().flat_map(|layer| layer.pieces).collect();
     let curves: Vec<Arc<Curve>> = pieces.iter().map(|piece| Arc::clone(&piece.curve)).collect();
     let Some(strips) = Strips::new(&pieces)? else { return Ok(None) };
-    let mut sweep = Sweep::new(&strips, &curves, layers);
+    let mut sweep = Sweep::new(&strips, &curves, layers, select);
     for strip in 0..strips.ends.len() {
         sweep.pass(strip)?;
     }
@@ -69,6 +87,7 @@ struct Sweep<'a> {
     strips: &'a Strips,
     curves: &'a [Arc<Curve>],
     bases: [i32; 2],
+    select: Select,
     /// Whether each curve runs to the right.
     rightward: Vec<bool>,
     /// Index of the first curve of the second region.
@@ -77,7 +96,7 @@ struct Sweep<'a> {
     order: Vec<usize>,
     /// Whether pairs of curves that have met in the order coincide.
     coincide: HashMap<(usize, usize), bool>,
-    /// Trapezoids not yet closed: their side, lower and upper curve, and the strip they start at.
+    /// Trapezoids not yet closed: their part, lower and upper curve, and the strip they start at.
     open: HashMap<(usize, usize, usize), usize>,
     parts: [Vec<Trapezoid>; 2],
     /// For each curve, the runs of slabs, as first and last strip, where it bounds a part of its region.
@@ -87,12 +106,13 @@ struct Sweep<'a> {
 }
 
 impl<'a> Sweep<'a> {
-    fn new(strips: &'a Strips, curves: &'a [Arc<Curve>], layers: [Layer<'_>; 2]) -> Self {
+    fn new(strips: &'a Strips, curves: &'a [Arc<Curve>], layers: [Layer<'_>; 2], select: Select) -> Self {
         Self {
             strips,
             curves,
             rightward: curves.iter().map(|curve| uprights::runs_right(curve)).collect(),
             bases: layers.map(|layer| layer.base),
+            select,
             second: layers[0].pieces.len(),
             order: Vec::new(),
             coincide: HashMap::new(),
@@ -147,7 +167,7 @@ impl<'a> Sweep<'a> {
         std::iter::once(self.bases).chain(order.iter().map(step).collect::<Vec<_>>()).collect()
     }
 
-    /// Finds the gaps of the slab after a strip that belong to one region only, and closes the trapezoids that end.
+    /// Finds the gaps of the slab after a strip that are asked for, and closes the trapezoids that end.
     fn regroup(&mut self, strip: usize) -> Result<(), OracleError> {
         let windings = self.windings(&self.order);
         if windings.last() != Some(&self.bases) {
@@ -164,19 +184,19 @@ impl<'a> Sweep<'a> {
             first = last + 1;
             let inside = windings[first].map(|winding| winding != 0);
             if let Some(upper) = upper
-                && inside[0] != inside[1]
+                && let Some(part) = (self.select)(inside)
             {
-                let key = (usize::from(inside[1]), self.order[last], upper);
+                let key = (part, self.order[last], upper);
                 let start = self.open.remove(&key).unwrap_or(strip);
                 next.insert(key, start);
             }
         }
         let mut ended: Vec<_> = std::mem::replace(&mut self.open, next).into_iter().collect();
         ended.sort_unstable();
-        for ((side, lower, upper), start) in ended {
+        for ((part, lower, upper), start) in ended {
             let x = [self.strips.ends[start][1].clone(), self.strips.ends[strip][0].clone()];
             let walls = [lower, upper].map(|curve| self.curves[curve].clone());
-            self.parts[side].push(Trapezoid { x, walls });
+            self.parts[part].push(Trapezoid { x, walls });
         }
         Ok(())
     }
@@ -227,7 +247,7 @@ impl<'a> Sweep<'a> {
         }
     }
 
-    fn finish(self) -> Differences {
+    fn finish(self) -> Parts {
         let mut edges = [Vec::new(), Vec::new()];
         for (i, runs) in self.kept.iter().enumerate() {
             let layer = usize::from(i >= self.second);
@@ -243,6 +263,6 @@ impl<'a> Sweep<'a> {
             }
         }
         self.uprights.into_iter().for_each(|(layer, curve)| edges[layer].push(curve));
-        Differences { parts: self.parts, edges, blur: self.blur }
+        Parts { parts: self.parts, edges, blur: self.blur }
     }
 }

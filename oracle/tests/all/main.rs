@@ -7,6 +7,7 @@ mod boundary;
 mod boundary_arcs;
 mod certified_regions;
 mod common;
+mod depth;
 mod enclose;
 mod gap;
 mod inside;

@@ -1,5 +1,6 @@
 //! The engine of this project: the kinetic convolution and the approximate arrangement (MS 3, 4) with default options.
 
+use super::cells::cells;
 use super::{Abilities, Answer, Counters, Engine, EngineError, Times};
 use arcsum::region::Region;
 use arcsum::sum::{Options, Sum, sum};
@@ -32,6 +33,7 @@ impl Engine for Kinetic {
             },
             convolution: sum.convolution_in_input_units(),
             failed_checks: Some(failed(&sum)),
+            cells: Some(cells(&sum)),
             region: sum.region,
         })
     }
@@ -46,7 +48,6 @@ fn counters(sum: &Sum) -> Counters {
         late: count(audit.late),
         gather: count(audit.gather),
         cells: count(sum.arrangement.graph.windings.len()),
-        bubbles: count(sum.bubbles()),
         ..Counters::default()
     }
 }

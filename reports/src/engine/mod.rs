@@ -1,5 +1,6 @@
 //! Engines under test: the trait, its answers, and the engines by name (section 5 of the design).
 
+pub mod cells;
 pub mod command;
 pub mod kinetic;
 pub mod registry;
@@ -59,6 +60,9 @@ pub struct Answer {
     /// Checks of its own that failed, by name; none when the engine makes no checks.
     #[serde(default)]
     pub failed_checks: Option<Vec<String>>,
+    /// The cells it tells apart, with test points; none for engines that do not show them. They do not leave the process.
+    #[serde(skip)]
+    pub cells: Option<cells::Cells>,
 }
 
 /// Audit counters by the names of the columns (memo C4).
@@ -73,7 +77,6 @@ pub struct Counters {
     pub gather: Option<u64>,
     pub cancelled: Option<u64>,
     pub cells: Option<u64>,
-    pub bubbles: Option<u64>,
 }
 
 /// Time of each stage, where the engine tells.

@@ -20,10 +20,14 @@ fn measured(case: &Case, answer: &Answer) -> Result<Judgement, OracleError> {
         let note = format!("{} stretches of sum curves undecided at 4096 bits", reference.undecided());
         return Ok(Judgement::undecided(note));
     }
-    Ok(match reference.measure(&plain(&answer.region))? {
-        Some(bracket) => Judgement::measured(case, answer, bracket, reference.loops(), String::new()),
-        None => Judgement::undecided("curves of the result and of the sum that are neither apart nor the same"),
-    })
+    match reference.measure(&plain(&answer.region))? {
+        Some(bracket) => Judgement::measured(case, answer, bracket, reference.loops(), String::new()).with_free(
+            case,
+            answer,
+            reference.summed(),
+        ),
+        None => Ok(Judgement::undecided("curves of the result and of the sum that are neither apart nor the same")),
+    }
 }
 
 #[cfg(test)]

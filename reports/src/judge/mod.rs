@@ -1,7 +1,9 @@
 //! Judging an answer: the reference's word about it, as the numbers of a row (section 3 of the design).
 
 mod arcs;
+pub mod free;
 pub mod golden;
+mod places;
 pub mod polygon;
 pub mod result;
 pub mod why;
@@ -10,6 +12,8 @@ use crate::bridge::unit;
 use crate::cases::Case;
 use crate::engine::Answer;
 use crate::row::{Status, number};
+use arcsum_oracle::certified::depth::{Depths, Summed};
+use arcsum_oracle::error::OracleError;
 use arcsum_oracle::measure::{Bracket, Direction};
 use serde::{Deserialize, Serialize};
 
@@ -36,6 +40,9 @@ pub struct Judgement {
     pub note: String,
     /// The verdict on somebody else's claim, where the case has one.
     pub golden: Option<golden::Verdict>,
+    /// What was found at points that should be free or blocked.
+    #[serde(default)]
+    pub free: Option<free::Findings>,
 }
 
 impl Judgement {
@@ -52,6 +59,7 @@ impl Judgement {
             failed_checks: Vec::new(),
             note: note.into(),
             golden: None,
+            free: None,
         }
     }
 
@@ -78,6 +86,15 @@ impl Judgement {
             failed_checks: if differ { vec!["loops".into()] } else { Vec::new() },
             ..Self::undecided(sentences.into_iter().filter(|s| !s.is_empty()).collect::<Vec<_>>().join("; "))
         }
+    }
+}
+
+impl Judgement {
+    /// Adds what falsely free points show, if the error is known at all.
+    fn with_free(self, case: &Case, answer: &Answer, sum: &Summed) -> Result<Self, OracleError> {
+        let Some(mu) = self.mu_hi.filter(|mu| mu.is_finite()) else { return Ok(self) };
+        let findings = free::test(&Depths::new(sum)?, answer, mu, unit(&case.a, &case.b), case.segments())?;
+        Ok(Self { free: Some(findings), ..self })
     }
 }
 

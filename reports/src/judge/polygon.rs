@@ -4,6 +4,7 @@ use super::{Judgement, golden};
 use crate::bridge::{plain, unit};
 use crate::cases::Case;
 use crate::engine::Answer;
+use arcsum_oracle::certified::depth::Summed;
 use arcsum_oracle::error::OracleError;
 use arcsum_oracle::measure::hausdorff;
 use arcsum_oracle::polygon;
@@ -19,5 +20,7 @@ fn measured(case: &Case, engine: &str, answer: &Answer) -> Result<Judgement, Ora
     let bracket = hausdorff(&plain(&answer.region), &exact, unit)?;
     let golden = case.golden.as_ref().map(|g| golden::compare(case, engine, g, answer, &exact)).transpose()?;
     let verdict = golden.as_ref().map_or_else(String::new, golden::Verdict::sentence);
-    Ok(Judgement { golden, ..Judgement::measured(case, answer, bracket, Some(exact.loops().len()), verdict) })
+    let summed = Summed::of_polygons([&plain(&case.a), &plain(&case.b)], &exact, unit)?;
+    Judgement { golden, ..Judgement::measured(case, answer, bracket, Some(exact.loops().len()), verdict) }
+        .with_free(case, answer, &summed)
 }

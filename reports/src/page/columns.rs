@@ -22,7 +22,7 @@ const fn length(name: &'static str, toward: Toward, meaning: &'static str) -> Co
 }
 
 /// All columns of a row; lengths in unit-box lengths and times in milliseconds unless they say otherwise.
-pub const COLUMNS: [Column; 39] = [
+pub const COLUMNS: [Column; 46] = [
     column("case", "the pair of regions"),
     column("family", "the family or folder it belongs to"),
     column("engine", "the engine under test"),
@@ -40,10 +40,17 @@ pub const COLUMNS: [Column; 39] = [
     column("worst_y", "where mu_lo is attained, in input units"),
     length("mu_realized_lo", Toward::Down, "lower bound of mu against the sum of the realizations"),
     length("mu_realized_hi", Toward::Up, "upper bound of mu against the sum of the realizations"),
-    length("rho", Toward::Nearest, "greatest inradius of the intersection at tested free points"),
-    length("pd", Toward::Nearest, "penetration depth at the same points"),
-    length("trap", Toward::Nearest, "Milenkovic and Sacks' trapezoid number"),
-    column("falsely_free", "tested free points with rho > mu"),
+    length("rho_lo", Toward::Down, "lower bound of the greatest inradius of the overlap at tested points"),
+    length("rho_hi", Toward::Up, "upper bound of it"),
+    length("pd_lo", Toward::Down, "lower bound of the greatest penetration depth at tested points"),
+    length("pd_hi", Toward::Up, "upper bound of it"),
+    length("trap", Toward::Nearest, "Milenkovic and Sacks' trapezoid number at the deepest tested points"),
+    column("tested", "points that the engine takes for free and that were tested"),
+    column("left_out", "trapezoids, vertices and middles of segments that were not, because there are many"),
+    column("falsely_free", "blocked ones among the tested points with rho > mu"),
+    column("innocent", "ones among them that are blocked with pd <= mu or that near to the sum"),
+    column("open", "ones among them that may be blocked, with neither shown"),
+    column("falsely_blocked", "tested points inside blocked cells that are free"),
     column("n", "segments of A"),
     column("m", "segments of B"),
     column("sums", "segments of the convolution"),
@@ -54,8 +61,8 @@ pub const COLUMNS: [Column; 39] = [
     column("gather", "gather swaps"),
     column("cancelled", "cancelled swaps"),
     column("cells", "cells of the arrangement"),
-    column("bubbles", "bubbles"),
-    column("cracks", "cracks"),
+    column("bubbles", "free cells all of whose tested points are blocked with pd > mu"),
+    column("cracks", "free cells some but not all of whose tested points are blocked with pd > mu"),
     column("result_segments", "segments of the result"),
     column("result_loops", "loops of the result"),
     column("exact_loops", "loops of the reference"),

@@ -51,7 +51,6 @@ fn enter_answer(row: &mut Row, answer: &Answer) {
     row.gather = c.gather;
     row.cancelled = c.cancelled;
     row.cells = c.cells;
-    row.bubbles = c.bubbles;
     row.result_segments = Some(answer.region.segments() as u64);
     row.result_loops = Some(answer.region.loops.len() as u64);
     row.failed_checks = answer.failed_checks.as_deref().map(words);
@@ -68,6 +67,14 @@ fn enter_judgement(row: &mut Row, judgement: &Judgement) {
     row.worst_x = judgement.witness.map(|w| w[0]);
     row.worst_y = judgement.witness.map(|w| w[1]);
     row.exact_loops = judgement.exact_loops;
+    if let Some(free) = &judgement.free {
+        (row.rho_lo, row.rho_hi) = (free.rho.lo, free.rho.hi);
+        (row.pd_lo, row.pd_hi, row.trap) = (free.pd.lo, free.pd.hi, free.trap);
+        (row.tested, row.left_out) = (Some(free.tested), Some(free.left_out));
+        (row.falsely_free, row.innocent, row.open) = (Some(free.falsely_free), Some(free.innocent), Some(free.open));
+        row.falsely_blocked = free.falsely_blocked;
+        (row.bubbles, row.cracks) = (free.bubbles, free.cracks);
+    }
     row.note = judgement.note.clone();
     let engines = row.failed_checks.take().filter(|w| w != "none");
     let own = engines.as_deref().unwrap_or_default().split_whitespace().map(str::to_owned);
@@ -97,10 +104,17 @@ fn blank(case: &Case, engine: &Facts) -> Row {
         worst_y: None,
         mu_realized_lo: None,
         mu_realized_hi: None,
-        rho: None,
-        pd: None,
+        rho_lo: None,
+        rho_hi: None,
+        pd_lo: None,
+        pd_hi: None,
         trap: None,
+        tested: None,
+        left_out: None,
         falsely_free: None,
+        innocent: None,
+        open: None,
+        falsely_blocked: None,
         n: case.a.segments() as u64,
         m: case.b.segments() as u64,
         sums: None,
