@@ -71,16 +71,24 @@ impl Cell {
         let mut corners = Vec::with_capacity(8);
         let mut stretches = Vec::with_capacity(2);
         let ends = self.walls.each_ref().map(|wall| self.x.each_ref().map(|x| wall.at(FINE).ordinate(x)));
+        let mut has_side = [false; 2];
         for (i, x) in self.x.iter().enumerate() {
             let (low, high) = (ends[0][i].max(&self.y[0]), ends[1][i].min(&self.y[1]));
             if !high.is_below(&low) {
                 corners.extend([low, high].map(|y| Vector { x: x.clone(), y }));
+                has_side[i] = true;
             }
         }
         for (wall, ends) in self.walls.iter().zip(&ends) {
-            let [left, right] = [0, 1].map(|i| self.clamped(wall, i, &ends[i]));
-            let (Some(left), Some(right)) = (left, right) else { continue };
-            corners.extend([left.clone(), right.clone()]);
+            let clamped = [0, 1].map(|i| self.clamped(wall, i, &ends[i]));
+            let [Some(left), Some(right)] = clamped else { continue };
+            // An end of a wall on a side of the box is a corner already.
+            for (i, end) in [&left, &right].into_iter().enumerate() {
+                if end.moved || !has_side[i] {
+                    corners.push(end.point.clone());
+                }
+            }
+            let (left, right) = (left.point, right.point);
             let (from, to) = if runs_right(wall) { (left, right) } else { (right, left) };
             stretches.push(Piece { from, to, circle: wall.at(FINE).circle.clone() });
         }
@@ -102,14 +110,14 @@ impl Cell {
 
     /// The end of a wall at the left or right side, moved along the wall into the box; `None` if the wall certainly does not
     /// pass the box.
-    fn clamped(&self, wall: &Arc<Curve>, side: usize, y: &Real) -> Option<Vector> {
+    fn clamped(&self, wall: &Arc<Curve>, side: usize, y: &Real) -> Option<Clamped> {
         let end = Vector { x: self.x[side].clone(), y: y.clone() };
         let level = if y.is_below(&self.y[0]) {
             &self.y[0]
         } else if self.y[1].is_below(y) {
             &self.y[1]
         } else {
-            return Some(end);
+            return Some(Clamped { point: end, moved: false });
         };
         let other = wall.at(FINE).ordinate(&self.x[1 - side]);
         let same_side =
@@ -118,8 +126,14 @@ impl Cell {
             return None;
         }
         let x = wall.at(FINE).abscissa(level).max(&self.x[0]).min(&self.x[1]);
-        Some(Vector { x, y: level.clone() })
+        Some(Clamped { point: Vector { x, y: level.clone() }, moved: true })
     }
+}
+
+/// The end of a wall in a box, and whether it had to be moved there.
+struct Clamped {
+    point: Vector,
+    moved: bool,
 }
 
 impl Outline {
@@ -154,7 +168,7 @@ impl Outline {
     /// An upper bound of the distance of a point to the points of the cell.
     #[must_use]
     pub fn farthest(&self, point: &Vector) -> Real {
-        let mut most = greatest(self.corners.iter().map(|corner| corner.distance(point)));
+        let mut most = greatest(self.corners.iter().map(|corner| (corner - point).square())).sqrt();
         for stretch in &self.stretches {
             if let Some(circle) = &stretch.circle {
                 let away = &circle.centre - point;

@@ -89,19 +89,19 @@ impl Membership {
         if self.first.unbounded && self.second.unbounded {
             return State::Blocked;
         }
-        let place = t.at(Precision::DOUBLE);
-        if self.overlapped.get().is_some_and(|(i, side)| self.overlaps(i, side == 1, &place, Precision::DOUBLE)) {
+        let near = t.rough();
+        if self.overlapped.get().is_some_and(|(i, side)| self.overlaps(i, side == 1, &near, Precision::DOUBLE)) {
             return State::Blocked;
         }
-        let Some(mut open) = self.meeting_pairs(&place) else {
+        let Some(mut open) = self.meeting_pairs(&near) else {
             return State::Blocked;
         };
         for precision in limit.up_to() {
             if open.is_empty() {
                 return self.state_of_apart(t, limit);
             }
-            let place = t.at(precision);
             let rough = precision == Precision::DOUBLE;
+            let place = if rough { near.clone() } else { t.at(precision) };
             if !rough && !self.narrow(&mut open, &place, precision) {
                 return State::Blocked;
             }

@@ -21,6 +21,9 @@ const TIGHT: f64 = 1.0 + 1.0 / 32.0;
 /// Cuts before a loose bracket is returned as it is.
 const CUTS: usize = 40_000;
 
+/// No cell is cut nearer to the end of a piece than this.
+const FINEST: f64 = 1.0 / (1u64 << 60) as f64;
+
 /// Pieces near a cell that are tried as its nearest.
 const TRIED: usize = 4;
 
@@ -36,8 +39,9 @@ pub struct Reach<'a> {
 struct Candidate {
     bound: f64,
     cell: Cell,
-    /// Where to cut it: across the abscissas or the ordinates, and at which.
-    cut: (bool, Real),
+    outline: Outline,
+    /// The pieces near it.
+    near: Vec<usize>,
 }
 
 impl<'a> Reach<'a> {
@@ -65,8 +69,8 @@ impl<'a> Reach<'a> {
                 self.open.push(worst);
                 break;
             }
-            let (across_x, at) = &worst.cut;
-            worst.cell.cut(*across_x, at).into_iter().for_each(|part| self.add(part));
+            let (across_x, at) = self.cut(&worst.outline, &worst.near);
+            worst.cell.cut(across_x, &at).into_iter().for_each(|part| self.add(part));
         }
         self.open.peek().map_or(0.0, |worst| worst.bound)
     }
@@ -96,8 +100,7 @@ impl<'a> Reach<'a> {
         if cell.walls().iter().all(own) {
             bound = bound.min(outline.half_gap(&cell));
         }
-        let cut = self.cut(&outline, &tried, bound);
-        self.open.push(Candidate { bound, cell, cut });
+        self.open.push(Candidate { bound, cell, outline, near: tried });
     }
 
     /// The best bound of two pieces that the cell may lie between.
@@ -109,13 +112,14 @@ impl<'a> Reach<'a> {
 
     /// Where to cut a cell: just inside the end of a piece near it, so that the piece serves one part alone, else in the
     /// middle.
-    fn cut(&self, outline: &Outline, near: &[usize], bound: f64) -> (bool, Real) {
+    fn cut(&self, outline: &Outline, near: &[usize]) -> (bool, Real) {
         let [width, height] = outline.extent();
         let across_x = width.mid() >= height.mid();
         let coordinate = |v: &Vector| if across_x { v.x.clone() } else { v.y.clone() };
         let middle = coordinate(&outline.middle());
         let length = if across_x { width } else { height };
-        let margin = Real::from(4.0 * self.reached.0.max(bound.min(1e-12)));
+        // Points no farther than was reached have their foot on the piece if they are that far from its end.
+        let margin = Real::from(1.25 * self.reached.0.max(FINEST));
         // Halving would take as many cuts to get to the end of a long thin cell as it takes halves.
         let inner = |at: &Real| (at - &middle).abs().is_below(&((&length - &margin) * 0.5));
         for &edge in near {

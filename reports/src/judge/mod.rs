@@ -5,12 +5,14 @@ pub mod free;
 pub mod golden;
 mod places;
 pub mod polygon;
+mod realized;
 pub mod result;
 pub mod why;
 
 use crate::bridge::unit;
 use crate::cases::Case;
 use crate::engine::Answer;
+use crate::engine::registry::BUILT_IN;
 use crate::row::{Status, number};
 use arcsum_oracle::certified::depth::{Depths, Summed};
 use arcsum_oracle::error::OracleError;
@@ -28,6 +30,9 @@ pub struct Judgement {
     /// Upper bound of it.
     #[serde(default, with = "number")]
     pub mu_hi: Option<f64>,
+    /// Bounds of the distance to the sum of the realizations.
+    #[serde(default)]
+    pub mu_realized: Option<[f64; 2]>,
     /// `result` or `sum`: where the point that attains the lower bound lies.
     pub direction: Option<String>,
     /// That point, in input units.
@@ -53,6 +58,7 @@ impl Judgement {
             status: Status::Undecided,
             mu_lo: None,
             mu_hi: None,
+            mu_realized: None,
             direction: None,
             witness: None,
             exact_loops: None,
@@ -103,6 +109,9 @@ impl Judgement {
 pub fn judge(case: &Case, engine: &str, answer: &Answer) -> Judgement {
     let mut judgement =
         if case.is_polygonal() { polygon::judge(case, engine, answer) } else { arcs::judge(case, answer) };
+    if BUILT_IN.contains(&engine) && judgement.status == Status::Ok {
+        judgement.mu_realized = realized::measure(case, answer).map(|found| [found.lo, found.hi]);
+    }
     judgement.failed_checks.extend(result::failed_checks(&answer.region));
     judgement
 }

@@ -62,6 +62,8 @@ fn enter_answer(row: &mut Row, answer: &Answer) {
 fn enter_judgement(row: &mut Row, judgement: &Judgement) {
     row.status = judgement.status;
     (row.mu_lo, row.mu_hi) = (judgement.mu_lo, judgement.mu_hi);
+    let [lo, hi] = judgement.mu_realized.map_or([None; 2], |[lo, hi]| [Some(lo), Some(hi)]);
+    (row.mu_realized_lo, row.mu_realized_hi) = (lo, hi);
     row.bits = row.mu_hi.map(|mu| -mu.log2());
     row.direction = judgement.direction.clone();
     row.worst_x = judgement.witness.map(|w| w[0]);
