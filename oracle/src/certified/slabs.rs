@@ -228,23 +228,38 @@ impl<'a> Sweep<'a> {
 
     /// Keeps the stretches of the upright curves in a strip that have a part of their region on a side.
     fn pass_uprights(&mut self, strip: usize, before: &[usize]) {
-        for &curve in &self.strips.involved[strip] {
-            if self.strips.spans[curve] != [strip; 2] {
-                continue;
-            }
+        let strips = self.strips;
+        let is_upright = |&&curve: &&usize| strips.spans[curve] == [strip; 2];
+        let uprights: Vec<usize> = strips.involved[strip].iter().filter(is_upright).copied().collect();
+        if uprights.is_empty() {
+            return;
+        }
+        let windings = [before, &self.order].map(|order| self.windings(order));
+        for curve in uprights {
             let layer = self.layer(curve);
-            let sides = [(before, 0), (&self.order[..], 1)].map(|(order, side)| uprights::Beside {
-                ordinates: order
-                    .iter()
-                    .map(|&other| {
-                        self.curves[other].at(LIMIT).ordinate(&Real::from(self.strips.ends[strip][side].clone()))
-                    })
-                    .collect(),
-                inside: self.windings(order).iter().map(|winding| winding[layer] != 0).collect(),
+            let [_, low, _, high] = self.curves[curve].rough().bounds();
+            let sides = [(before, 0), (&self.order[..], 1)].map(|(order, side)| {
+                let x = Real::from(strips.ends[strip][side].clone());
+                let passing = self.passing(order, &x, [low, high]);
+                let ordinate = |&other: &usize| self.curves[other].at(LIMIT).ordinate(&x);
+                uprights::Beside {
+                    ordinates: order[passing.clone()].iter().map(ordinate).collect(),
+                    inside: windings[side][passing.start..=passing.end].iter().map(|w| w[layer] != 0).collect(),
+                }
             });
             let stretches = uprights::kept(&self.curves[curve], &sides);
             self.uprights.extend(stretches.into_iter().map(|stretch| (layer, stretch)));
         }
+    }
+
+    /// The places in an order of those curves that may pass an abscissa between two ordinates.
+    fn passing(&self, order: &[usize], x: &Real, [low, high]: [f64; 2]) -> Range<usize> {
+        let x = x.rounded(Precision::DOUBLE);
+        let ordinate = |curve: &usize| self.curves[*curve].rough().ordinate(&x);
+        let start = order.partition_point(|curve| ordinate(curve).hi() < low);
+        let count = order[start..]
+            .partition_point(|curve| !matches!(ordinate(curve).lo().partial_cmp(&high), Some(Ordering::Greater)));
+        start..start + count
     }
 
     fn finish(self) -> Parts {
