@@ -17,4 +17,5 @@ mod measure;
 mod meet;
 mod membership;
 mod planted;
+mod same_sum;
 mod shortcuts;

@@ -1,6 +1,7 @@
 //! Inputs for the tests: small regions full of coincidences, random polygons, and the fork of the memo's section J5.
 
 pub mod outline;
+pub mod pairs;
 
 use std::cmp::Ordering;
 
