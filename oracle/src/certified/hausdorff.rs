@@ -7,7 +7,11 @@
 //!
 //! `hi` is at most 1/32 or 2^-60 above `lo`, unless the search runs out of cuts; then the bracket is wider and still valid.
 
+use std::sync::Arc;
+
+use super::curve::Curve;
 use super::nearest::Nearest;
+use super::piece::{Circle, Piece};
 use super::reach::Reach;
 use super::shape::Shape;
 use super::slabs::{Layer, Parts, differences};
@@ -37,6 +41,22 @@ impl From<&Shape> for Outline {
     }
 }
 
+impl Outline {
+    /// Turned left by a right angle about the origin.
+    fn turned(&self) -> Self {
+        let piece = |piece: &Piece| {
+            let circle = piece.circle.as_ref().map(|c| Circle { centre: c.centre.left(), ..c.clone() });
+            Piece { from: piece.from.left(), to: piece.to.left(), circle }
+        };
+        let span = |span: &Span| {
+            let curve = Arc::clone(&span.curve);
+            let turned = Curve::new(move |precision| piece(curve.at(precision)));
+            Span { curve: Arc::new(turned), ends: span.ends.each_ref().map(Vector::left) }
+        };
+        Self { pieces: self.pieces.iter().map(span).collect(), unbounded: self.unbounded }
+    }
+}
+
 /// What was found about the distance of two regions.
 #[derive(Clone, Debug)]
 pub struct Found {
@@ -44,6 +64,16 @@ pub struct Found {
     pub bracket: Bracket,
     /// Its witness, as finely as it is known.
     pub place: Option<Vector>,
+}
+
+impl Found {
+    /// The witness turned right by a right angle about the origin.
+    fn turned_back(mut self) -> Self {
+        let (x, y) = self.bracket.witness;
+        self.bracket.witness = (y, -x);
+        self.place = self.place.map(|place| -&place.left());
+        self
+    }
 }
 
 /// A certified bracket of the distance between a result and the region it should be, in the units of their coordinates;
@@ -54,6 +84,17 @@ pub struct Found {
 /// [`OracleError::BadNumber`] for coordinates too large for doubles, [`OracleError::Inconsistent`] for boundaries that do
 /// not close.
 pub fn between(result: &Outline, truth: &Outline) -> Result<Option<Found>, OracleError> {
+    let (found, blur) = match upright_between(result, truth)? {
+        Some((found, blur)) if blur > FLOOR => (found, blur),
+        found => return Ok(found.map(|(found, _)| found)),
+    };
+    // Where a flat arc is upright, much of it lies in one strip; a quarter of a turn makes it level.
+    let turned = upright_between(&result.turned(), &truth.turned())?;
+    Ok(Some(turned.filter(|(_, less)| *less < blur).map_or(found, |(found, _)| found.turned_back())))
+}
+
+/// The bracket from upright slabs, and how much of its width is due to the strips between them.
+fn upright_between(result: &Outline, truth: &Outline) -> Result<Option<(Found, f64)>, OracleError> {
     let layers = [result, truth].map(|o| Layer { pieces: &o.pieces, base: i32::from(o.unbounded) });
     let Some(found) = differences(layers)? else { return Ok(None) };
     // A bounded region without any part of the plane to its edges is empty, an unbounded one the plane.
@@ -63,9 +104,9 @@ pub fn between(result: &Outline, truth: &Outline) -> Result<Option<Found>, Oracl
         let direction = if more { Direction::FromResult } else { Direction::FromSum };
         let witness = (f64::NAN, f64::NAN);
         let bracket = Bracket { lo: f64::INFINITY, hi: f64::INFINITY, direction, witness };
-        return Ok(Some(Found { bracket, place: None }));
+        return Ok(Some((Found { bracket, place: None }, 0.0)));
     }
-    bracket(&found).map(Some)
+    Ok(Some((bracket(&found)?, found.blur)))
 }
 
 /// The bracket over all trapezoids of both differences.
@@ -133,5 +174,21 @@ mod tests {
             holds(&measured(&square(d, 0.0), &square(0.0, 0.0)), d);
             holds(&measured(&square(d, d), &square(0.0, 0.0)), d * 2f64.sqrt());
         }
+    }
+
+    /// A sliver beside an upright arc with a radius of 2^51 and a sagitta of 2^-52: a strip at its leftmost point is much
+    /// higher than wide, a level one is not.
+    #[test]
+    fn flat_upright_arcs_are_measured_lying_down() {
+        let bulge = f64::from(-51).exp2();
+        let straight = [(0.0, 2.0, 0.0), (0.0, -1.0, 0.0), (1.0, 0.0, 0.0)];
+        let bent = [(0.0, 2.0, bulge), (0.0, -1.0, 0.0), (1.0, 0.0, 0.0)];
+        let sagitta = 1.5 * bulge;
+        holds(&measured(&region(&bent), &region(&straight)), sagitta);
+        let level = |corners: [(f64, f64, f64); 3]| region(&corners.map(|(x, y, bulge)| (-y, x, bulge)));
+        holds(&measured(&level(bent), &level(straight)), sagitta);
+        let found = upright_between(&region(&bent).turned(), &region(&straight).turned()).expect("closed");
+        let found = found.expect("decided").0.turned_back();
+        assert!(found.bracket.witness.0.abs() < 1e-15 && (0.0..1.0).contains(&found.bracket.witness.1), "{found:?}");
     }
 }

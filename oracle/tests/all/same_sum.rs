@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::common::pairs::{exact_pair, mapped, pair, rounded, special};
+use crate::common::pairs::{exact_pair, mapped, mirrored, pair, rounded, special};
 use arcsum_oracle::certified::curve::Curve;
 use arcsum_oracle::certified::hausdorff::{Outline, between};
 use arcsum_oracle::certified::meet::LIMIT;
@@ -15,7 +15,7 @@ use arcsum_oracle::certified::vector::Vector;
 use arcsum_oracle::convolve;
 use arcsum_oracle::error::Budget;
 use arcsum_oracle::interval::Interval;
-use arcsum_oracle::plain::{Bend, PlainRegion};
+use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
 use arcsum_oracle::region::ExactRegion;
 use proptest::prelude::*;
 use rug::float::Round;
@@ -142,4 +142,20 @@ fn a_small_difference_is_seen() {
     let (a, b) = (disc(0.5), disc(0.25));
     let c = disc(0.25 + 2f64.powi(-50));
     assert!(same(reference(&a, &b).sum(), reference(&a, &c).sum()).is_err());
+}
+
+/// An upright side bent by two units in the last place of a bulge: most of it is within far less than a unit of its
+/// leftmost abscissa.
+#[test]
+fn a_flat_upright_arc_hides_nothing() -> Result<(), TestCaseError> {
+    let bulgy = |corners: &[(f64, f64, f64)]| {
+        let corner = |&(x, y, bulge): &(f64, f64, f64)| Corner { x, y, bend: Bend::Bulge(bulge) };
+        PlainRegion { loops: vec![corners.iter().map(corner).collect()], unbounded: false }
+    };
+    let block = |bulge: f64| {
+        let right = [(2.0, -1.0, 0.0), (2.0, 1.0, 0.125), (1.0, 1.0, 0.0), (1.0, 2.0, 0.0), (0.0, 2.0, bulge)];
+        bulgy(&[&[(0.0, -1.0, 0.125), (1.0, -1.0, 0.0)], &right[..]].concat())
+    };
+    let (a, b) = (block(f64::from(-51).exp2()), mirrored(&block(0.0)));
+    same(reference(&a, &b).sum(), reference(&b, &a).sum())
 }
