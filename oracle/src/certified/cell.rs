@@ -225,9 +225,8 @@ impl Outline {
     /// An upper bound of the distance of the points of the cell to a piece.
     #[must_use]
     pub fn reach(&self, piece: &Piece) -> f64 {
-        let ends = self.farthest(&piece.from).min(&self.farthest(&piece.to)).hi();
         if !self.is_spanned(piece) {
-            return ends;
+            return self.farthest(&piece.from).min(&self.farthest(&piece.to)).hi();
         }
         let offset = match &piece.circle {
             None => {
@@ -240,7 +239,7 @@ impl Outline {
                 out.max(&(&circle.radius - self.nearest(&circle.centre)))
             }
         };
-        ends.min(offset.max(&Real::from(0.0)).hi() + SLIP)
+        offset.max(&Real::from(0.0)).hi() + SLIP
     }
 
     /// An upper bound of the distance of the points of the cell to the nearer one of two pieces: half the sum of both

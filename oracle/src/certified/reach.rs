@@ -79,13 +79,14 @@ impl<'a> Reach<'a> {
         let Some(outline) = cell.outline() else { return };
         let mut bound = f64::INFINITY;
         let mut tried: Vec<usize> = Vec::new();
+        let mut measured: Vec<(&Vector, Real)> = Vec::new();
         let inner = cell.inner();
         for point in outline.corners.iter().chain(&inner) {
             let Some((distance, near)) = self.boundary.distance(point) else { continue };
             if distance.lo() > self.reached.0 {
                 self.reached = (distance.lo(), Some(point.clone()));
             }
-            bound = bound.min((distance + outline.farthest(point)).hi());
+            measured.push((point, distance));
             tried.extend(near.into_iter().take(TRIED));
         }
         tried.sort_unstable();
@@ -93,7 +94,12 @@ impl<'a> Reach<'a> {
         for &edge in &tried {
             bound = bound.min(outline.reach(self.boundary.curve(edge).at(FINE)));
         }
-        if bound > self.reached.0 * TIGHT {
+        let is_open = |bound: f64| bound > self.reached.0 * TIGHT;
+        if is_open(bound) {
+            let around = measured.iter().map(|(point, distance)| (distance + &outline.farthest(point)).hi());
+            bound = around.fold(bound, f64::min);
+        }
+        if is_open(bound) {
             bound = bound.min(self.bound_between(&outline, &tried));
         }
         let own = |wall| tried.iter().any(|&edge| std::sync::Arc::ptr_eq(self.boundary.curve(edge), wall));
