@@ -12,7 +12,7 @@ use super::meet::LIMIT;
 use super::piece::Circle;
 use super::precision::Precision;
 use super::real::Real;
-use super::vector::Vector;
+use super::vector::{Vector, sector};
 
 /// Which end of a piece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -96,20 +96,6 @@ impl Direction {
     #[must_use]
     pub fn turn_to(&self, other: &Self) -> Ordering {
         LIMIT.decide(|p| self.at(p).turn(&other.at(p))).unwrap_or(Ordering::Equal)
-    }
-}
-
-fn sector(x: Ordering, y: Ordering) -> usize {
-    use Ordering::{Equal, Greater, Less};
-    match (x, y) {
-        (Greater | Equal, Equal) => 0,
-        (Greater, Greater) => 1,
-        (Equal, Greater) => 2,
-        (Less, Greater) => 3,
-        (Less, Equal) => 4,
-        (Less, Less) => 5,
-        (Equal, Less) => 6,
-        (Greater, Less) => 7,
     }
 }
 

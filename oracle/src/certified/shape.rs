@@ -11,7 +11,7 @@ use super::curve::Curve;
 use super::piece::{Circle, Piece};
 use super::precision::Precision;
 use super::real::Real;
-use super::vector::Vector;
+use super::vector::{Vector, sector};
 use crate::error::OracleError;
 use crate::plain::{Bend, Corner, PlainRegion};
 
@@ -203,17 +203,7 @@ impl Segment {
             });
             sign.unwrap_or(Ordering::Equal)
         };
-        use Ordering::{Equal, Greater, Less};
-        match (sign(|v| &v.x), sign(|v| &v.y)) {
-            (Greater, Equal) | (Equal, Equal) => 0,
-            (Greater, Greater) => 1,
-            (Equal, Greater) => 2,
-            (Less, Greater) => 3,
-            (Less, Equal) => 4,
-            (Less, Less) => 5,
-            (Equal, Less) => 6,
-            (Greater, Less) => 7,
-        }
+        sector(sign(|v| &v.x), sign(|v| &v.y))
     }
 }
 

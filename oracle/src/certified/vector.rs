@@ -111,3 +111,20 @@ impl Mul<&Real> for &Vector {
         Vector { x: &self.x * factor, y: &self.y * factor }
     }
 }
+
+/// The sector of a vector by the signs of its coordinates: twice the index of an axis (right, up, left, down) for the axis
+/// itself, one more for the open quadrant after it. The vector 0 counts as right.
+#[must_use]
+pub fn sector(x: Ordering, y: Ordering) -> usize {
+    use Ordering::{Equal, Greater, Less};
+    match (x, y) {
+        (Greater | Equal, Equal) => 0,
+        (Greater, Greater) => 1,
+        (Equal, Greater) => 2,
+        (Less, Greater) => 3,
+        (Less, Equal) => 4,
+        (Less, Less) => 5,
+        (Equal, Less) => 6,
+        (Greater, Less) => 7,
+    }
+}
