@@ -30,7 +30,7 @@ fn radial(n: usize, seed: u64, shake: f64) -> PlainRegion {
         let radius = 0.25 * (1.0 - 0.25 * numbers.next());
         let (sin, cos) = ((k as f64 + 0.3 * numbers.next()) / n as f64 * std::f64::consts::TAU).sin_cos();
         let bulge = 0.1 * numbers.next() - 0.05;
-        let bend = if k % 2 == 0 { Bend::Line } else { Bend::Bulge(bulge) };
+        let bend = if k.is_multiple_of(2) { Bend::Line } else { Bend::Bulge(bulge) };
         let [x, y] = [cos, sin].map(|c| radius * c + shake * (shakes.next() - 0.5));
         Corner { x, y, bend }
     };
