@@ -116,6 +116,9 @@ pub struct Row {
     pub result_loops: Option<u64>,
     /// Loops of the reference.
     pub exact_loops: Option<u64>,
+    /// The most bits the reference needed; none for exact references.
+    #[serde(default)]
+    pub exact_bits: Option<u32>,
     /// Failed checks by name, separated by spaces; `none` when all held.
     pub failed_checks: Option<String>,
     /// Time of the convolution.

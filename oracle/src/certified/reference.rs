@@ -29,6 +29,7 @@ pub struct Reference {
     summed: Summed,
     unit: f64,
     undecided: usize,
+    bits: u32,
     loops: Option<usize>,
 }
 
@@ -61,6 +62,7 @@ impl Reference {
             summed: Summed::new([a.clone(), b.clone()], curves, boundary.blur),
             unit,
             undecided: boundary.undecided.len(),
+            bits: boundary.effort.bits,
             loops: boundary.loops()?,
         })
     }
@@ -81,6 +83,12 @@ impl Reference {
     #[must_use]
     pub fn undecided(&self) -> usize {
         self.undecided
+    }
+
+    /// The most bits that it took to tell how two sum curves meet.
+    #[must_use]
+    pub fn bits(&self) -> u32 {
+        self.bits
     }
 
     /// The number of loops of the sum, if no two of them touch.

@@ -18,14 +18,14 @@ fn measured(case: &Case, answer: &Answer) -> Result<Judgement, OracleError> {
     let reference = Reference::new(&plain(&case.a), &plain(&case.b), unit, Budget::default())?;
     if reference.undecided() > 0 {
         let note = format!("{} stretches of sum curves undecided at 4096 bits", reference.undecided());
-        return Ok(Judgement::undecided(note));
+        return Ok(Judgement { exact_bits: Some(4096), ..Judgement::undecided(note) });
     }
     match reference.measure(&plain(&answer.region))? {
-        Some(bracket) => Judgement::measured(case, answer, bracket, reference.loops(), String::new()).with_free(
-            case,
-            answer,
-            reference.summed(),
-        ),
+        Some(bracket) => {
+            let judgement = Judgement::measured(case, answer, bracket, reference.loops(), String::new());
+            let judgement = Judgement { exact_bits: Some(reference.bits()), ..judgement };
+            judgement.with_free(case, answer, reference.summed())
+        }
         None => Ok(Judgement::undecided("curves of the result and of the sum that are neither apart nor the same")),
     }
 }

@@ -39,6 +39,9 @@ pub struct Judgement {
     pub witness: Option<[f64; 2]>,
     /// Loops of the reference.
     pub exact_loops: Option<u64>,
+    /// The most bits the reference needed; none for exact references.
+    #[serde(default)]
+    pub exact_bits: Option<u32>,
     /// Checks that failed, by name.
     pub failed_checks: Vec<String>,
     /// One sentence, or nothing.
@@ -62,6 +65,7 @@ impl Judgement {
             direction: None,
             witness: None,
             exact_loops: None,
+            exact_bits: None,
             failed_checks: Vec::new(),
             note: note.into(),
             golden: None,

@@ -22,7 +22,7 @@ const fn length(name: &'static str, toward: Toward, meaning: &'static str) -> Co
 }
 
 /// All columns of a row; lengths in unit-box lengths and times in milliseconds unless they say otherwise.
-pub const COLUMNS: [Column; 46] = [
+pub const COLUMNS: [Column; 47] = [
     column("case", "the pair of regions"),
     column("family", "the family or folder it belongs to"),
     column("engine", "the engine under test"),
@@ -66,6 +66,10 @@ pub const COLUMNS: [Column; 46] = [
     column("result_segments", "segments of the result"),
     column("result_loops", "loops of the result"),
     column("exact_loops", "loops of the reference"),
+    column(
+        "exact_bits",
+        "the most bits that a certified reference needed to tell how curves meet; empty for rational ones",
+    ),
     column("failed_checks", "failed checks by name; none when all held"),
     column("t_convolution", "time of the convolution in ms"),
     column("t_arrangement", "time of the arrangement in ms"),

@@ -50,6 +50,7 @@ pub fn row(number: usize, mu_hi: Option<f64>) -> Row {
         result_segments: Some(4),
         result_loops: Some(1),
         exact_loops: Some(1),
+        exact_bits: Some(256),
         failed_checks: Some("none".to_owned()),
         t_convolution: None,
         t_arrangement: None,

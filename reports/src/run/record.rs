@@ -69,6 +69,7 @@ fn enter_judgement(row: &mut Row, judgement: &Judgement) {
     row.worst_x = judgement.witness.map(|w| w[0]);
     row.worst_y = judgement.witness.map(|w| w[1]);
     row.exact_loops = judgement.exact_loops;
+    row.exact_bits = judgement.exact_bits;
     if let Some(free) = &judgement.free {
         (row.rho_lo, row.rho_hi) = (free.rho.lo, free.rho.hi);
         (row.pd_lo, row.pd_hi, row.trap) = (free.pd.lo, free.pd.hi, free.trap);
@@ -132,6 +133,7 @@ fn blank(case: &Case, engine: &Facts) -> Row {
         result_segments: None,
         result_loops: None,
         exact_loops: None,
+        exact_bits: None,
         failed_checks: None,
         t_convolution: None,
         t_arrangement: None,
