@@ -35,13 +35,18 @@ impl Crossings {
     pub fn at(below: bool, points: &[Moment]) -> Self {
         let mut all = Self::none(below);
         for &p in points.iter().take(2) {
-            all.at[usize::from(all.count)] = p;
-            all.count += 1;
-        }
-        if all.count == 2 && all.at[0].compare(&all.at[1]).is_gt() {
-            all.at.swap(0, 1);
+            all.push(p);
         }
         all
+    }
+
+    /// Adds a crossing, of at most two.
+    fn push(&mut self, crossing: Moment) {
+        self.at[usize::from(self.count)] = crossing;
+        self.count += 1;
+        if self.count == 2 && self.at[0].compare(&self.at[1]).is_gt() {
+            self.at.swap(0, 1);
+        }
     }
 
     /// The crossings in sweep order.
@@ -202,18 +207,14 @@ impl Pair<'_> {
         let Some(first) = signs.into_iter().find(|s| *s != 0) else {
             return Crossings::none(true);
         };
-        let mut sign = first;
-        let kept = candidates.iter().zip(&signs[1..]).filter(|(_, next)| {
-            let change = **next == -sign;
-            sign = if change { **next } else { sign };
-            change
-        });
-        let none = [Moment::from(DVec2::ZERO); 2];
-        let (kept, count) = kept.fold((none, 0), |(mut all, n), (p, _)| {
-            all[n] = self.moment(*p);
-            (all, n + 1)
-        });
-        Crossings::at(first < 0, &kept[..count])
+        let (mut sign, mut answer) = (first, Crossings::none(first < 0));
+        for (place, next) in candidates.iter().zip(&signs[1..]) {
+            if *next == -sign {
+                sign = *next;
+                answer.push(self.moment(*place));
+            }
+        }
+        answer
     }
 
     fn start(&self) -> DVec2 {

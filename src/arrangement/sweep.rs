@@ -184,9 +184,9 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
     /// The moment of a crossing, moved into the time when both curves are active.
     fn while_active(&self, crossing: Moment, f: u32, g: u32) -> Moment {
         let (f, g) = (&self.curves[f as usize], &self.curves[g as usize]);
-        let start = Moment::from(f.start).max(Moment::from(g.start));
-        let end = Moment::from(f.right).min(Moment::from(g.right));
-        crossing.max(start).min(end)
+        let start = if compare(f.start, g.start).is_ge() { f.start } else { g.start };
+        let end = if compare(f.right, g.right).is_le() { f.right } else { g.right };
+        crossing.max(Moment::from(start)).min(Moment::from(end))
     }
 
     /// Swaps neighbours until all agree with the module again.
