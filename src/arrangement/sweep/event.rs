@@ -60,6 +60,7 @@ impl<M: CrossingModule> Sweep<'_, M> {
         curve.is_line() && curve.side(self.now) == 0.0
     }
 
+    /// What the module says about two curves, whichever comes first.
     pub(super) fn crossings(&self, f: u32, g: u32) -> Crossings {
         let (first, second) = (&self.curves[f.min(g) as usize], &self.curves[f.max(g) as usize]);
         let answer = self.module.cross(first, second);

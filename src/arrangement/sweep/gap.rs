@@ -25,11 +25,13 @@ impl<M: CrossingModule> Sweep<'_, M> {
         self.curves[self.status.curve(place) as usize].weight
     }
 
+    /// The face below a place.
     pub(super) fn face_below(&self, place: Place) -> u32 {
         let below = self.status.near(place, DOWN);
         if below == NOWHERE { 0 } else { self.gap[below as usize] }
     }
 
+    /// Begins an edge of the curve at a place, and the trapezoid above it.
     pub(super) fn open_edge(&mut self, place: Place) {
         let (below, above) = (self.face_below(place), self.gap[place as usize]);
         let curve = self.status.curve(place);
@@ -37,6 +39,7 @@ impl<M: CrossingModule> Sweep<'_, M> {
         self.since_now(place);
     }
 
+    /// Begins the trapezoid above a place.
     pub(super) fn since_now(&mut self, place: Place) {
         if place != NOWHERE {
             self.since[place as usize] = self.now.x;

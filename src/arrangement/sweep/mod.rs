@@ -59,6 +59,7 @@ pub(super) struct Sweep<'m, M> {
 }
 
 impl<'m, M: CrossingModule> Sweep<'m, M> {
+    /// The sweep before its first event.
     pub(super) fn new(pieces: &Pieces, module: &'m M) -> Self {
         let (vertices, curves) = Vertices::new(pieces);
         let audit = Audit { curves: curves.len(), ..Audit::default() };
@@ -82,6 +83,7 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
         }
     }
 
+    /// Sweeps over all vertices. Returns the planar map, its decomposition and the counters.
     pub(super) fn run(mut self) -> (Graph, Vec<Trapezoid>, Audit) {
         for vertex in 0..self.vertices.points.len() as u32 {
             let point = self.vertices.points[vertex as usize];

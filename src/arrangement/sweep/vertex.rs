@@ -14,6 +14,7 @@ struct Block {
 }
 
 impl<M: CrossingModule> Sweep<'_, M> {
+    /// A vertex, at the current point.
     pub(super) fn vertex(&mut self, vertex: u32) {
         let (mut starting, mut ending) = (Vec::new(), Vec::new());
         self.vertices.starting(vertex, &mut starting);
