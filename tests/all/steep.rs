@@ -116,12 +116,14 @@ fn steep_lines_are_near_each_other_when_they_cross() {
     let (order, place, crossings, total) = (Cell::new(0.0_f64), Cell::new(0.0_f64), Cell::new(0_u32), runs.cases);
     let result = TestRunner::new(runs).run(&pair(), |(f, g)| {
         let answer = FloatModule::new(2.0).cross(&f, &g);
-        order.set(order.get().max(order_excess(&f, &g, &answer)));
-        prop_assert!(order.get() <= ORDER, "order wrong by {} eps, {answer:?}", order.get());
+        let excess = order_excess(&f, &g, &answer);
+        order.set(order.get().max(excess));
+        prop_assert!(excess <= ORDER, "order wrong by {excess} eps, {answer:?}");
         for crossing in answer.points() {
             prop_assert_eq!(crossing.at.x + crossing.low, crossing.at.x);
-            place.set(place.get().max(residual(&f, &g, crossing)));
-            prop_assert!(place.get() <= PLACE, "place off by {} eps, {answer:?}", place.get());
+            let off = residual(&f, &g, crossing);
+            place.set(place.get().max(off));
+            prop_assert!(off <= PLACE, "place off by {off} eps, {answer:?}");
             crossings.set(crossings.get() + 1);
         }
         Ok(())
