@@ -106,7 +106,8 @@ fn pair() -> impl Strategy<Value = (Curve, Curve)> {
         let (left, right) = if wide { (a.min(x), b.max(x + width)) } else { (x + a * width, x + b * width) };
         let g = line(1, DVec2::new(left, r.0), DVec2::new(right, r.1))?;
         let (from, to) = common(&f, &g);
-        (f.is_steep_line() && !f.is_vertical() && !g.is_vertical() && from < to).then_some((f, g))
+        let steep = f.chord().y.abs() > 8.0 * f.chord().x;
+        (steep && !f.is_vertical() && !g.is_vertical() && from < to).then_some((f, g))
     })
 }
 
