@@ -18,5 +18,10 @@ use proptest::prelude::ProptestConfig;
 pub fn cases(n: u32) -> ProptestConfig {
     let asked = ProptestConfig::default().cases;
     let n = if std::env::var_os("PROPTEST_CASES").is_some() { n * asked.div_ceil(256) } else { n };
-    ProptestConfig { failure_persistence: None, max_global_rejects: 100 * n, ..ProptestConfig::with_cases(n) }
+    ProptestConfig {
+        failure_persistence: None,
+        max_local_rejects: 100 * n,
+        max_global_rejects: 100 * n,
+        ..ProptestConfig::with_cases(n)
+    }
 }

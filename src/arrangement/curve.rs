@@ -41,7 +41,19 @@ pub struct Curve {
 /// Lexicographic order of points, the order of events.
 #[must_use]
 pub fn compare(p: DVec2, q: DVec2) -> Ordering {
-    p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y))
+    by_size(p.x, q.x).then_with(|| by_size(p.y, q.y))
+}
+
+/// The total order of numbers, quick where they differ.
+#[must_use]
+pub fn by_size(x: f64, y: f64) -> Ordering {
+    if x < y {
+        Ordering::Less
+    } else if x > y {
+        Ordering::Greater
+    } else {
+        x.total_cmp(&y)
+    }
 }
 
 impl Curve {

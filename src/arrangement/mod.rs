@@ -8,7 +8,9 @@ pub mod cross;
 pub mod curve;
 mod faces;
 pub mod graph;
+mod meet;
 pub mod moment;
+mod pair;
 pub mod status;
 mod sweep;
 pub mod trapezoid;
@@ -30,22 +32,6 @@ pub struct Arrangement {
     pub trapezoids: Vec<Trapezoid>,
     /// What the sweep did.
     pub audit: Audit,
-}
-
-impl Arrangement {
-    /// The size of the largest trapezoid of each face, the lesser of its width and its height half way (MS 8); 0 for a face
-    /// that has none but of width 0. Unbounded parts do not count.
-    #[must_use]
-    pub fn largest_trapezoids(&self) -> Vec<f64> {
-        let mut sizes = vec![0.0_f64; self.graph.windings.len()];
-        for t in &self.trapezoids {
-            let x = 0.5 * (t.from + t.to);
-            let [low, high] = [t.bottom, t.top].map(|c| self.graph.curves[c as usize].y_at(x));
-            let size = &mut sizes[t.face as usize];
-            *size = size.max((high - low).min(t.to - t.from));
-        }
-        sizes
-    }
 }
 
 /// Arranges pieces with the honest crossing module. Coordinates should be of order 1; errors are a few eps times the larger

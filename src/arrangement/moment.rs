@@ -3,6 +3,7 @@
 //! A line may rise by much within one unit in the last place of x. A double does not say when something happens on it;
 //! the double and its error do, to a few eps of the rise, because the sweep measures x from an end of the line.
 
+use super::curve::by_size;
 use glam::DVec2;
 use std::cmp::Ordering;
 
@@ -19,8 +20,8 @@ impl Moment {
     /// The order of events.
     #[must_use]
     pub fn compare(&self, other: &Self) -> Ordering {
-        let by_abscissa = self.at.x.total_cmp(&other.at.x).then_with(|| self.low.total_cmp(&other.low));
-        by_abscissa.then_with(|| self.at.y.total_cmp(&other.at.y))
+        let by_abscissa = by_size(self.at.x, other.at.x).then_with(|| by_size(self.low, other.low));
+        by_abscissa.then_with(|| by_size(self.at.y, other.at.y))
     }
 
     /// The later of two.

@@ -77,7 +77,7 @@ impl Exact {
 }
 
 /// A curve with these ends whose normals, from left to right, go from `a` through twice `delta`.
-fn curve(index: u32, ends: [(u32, DVec2); 2], delta: f64) -> Option<Curve> {
+pub fn curve(index: u32, ends: [(u32, DVec2); 2], delta: f64) -> Option<Curve> {
     let gamma = Ang::of_line(ends[0].1, ends[1].1)?;
     let (a, b) = (gamma.plus(-delta), gamma.plus(delta));
     let source = Source::default();

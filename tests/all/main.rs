@@ -16,5 +16,6 @@ mod realize;
 mod regions;
 mod small_polygons;
 mod smooth;
+mod steep;
 mod sum3;
 mod validate;

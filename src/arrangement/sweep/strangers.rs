@@ -1,0 +1,89 @@
+//! Strangers: active curves between those that end at a vertex, which are swapped out first (memo C2).
+
+use super::Sweep;
+use crate::arrangement::cross::CrossingModule;
+use crate::arrangement::status::{DOWN, NOWHERE, Place, UP};
+
+impl<M: CrossingModule> Sweep<'_, M> {
+    /// Brings the places of the ending curves together by swapping strangers out towards the nearer side. Lines among the
+    /// strangers that pass through the point are no strangers: they end here, too, or an exact meeting of several would come
+    /// out as several vertices. Returns the places around all that was touched.
+    pub(super) fn gather(&mut self, ending: &mut Vec<u32>) -> [Place; 2] {
+        for curve in ending.iter() {
+            self.is_ending[*curve as usize] = true;
+        }
+        let range = self.range_of(ending);
+        for curve in range.iter().map(|place| self.status.curve(*place)) {
+            if !self.is_ending[curve as usize] && self.passes(curve) {
+                self.is_ending[curve as usize] = true;
+                ending.push(curve);
+            }
+        }
+        let around = [self.status.near(range[0], DOWN), self.status.near(range[range.len() - 1], UP)];
+        if range.len() > ending.len() {
+            self.swap_strangers_out(&range, ending.len());
+        }
+        for curve in ending {
+            self.is_ending[*curve as usize] = false;
+        }
+        around
+    }
+
+    /// The places from the lowest to the highest ending curve.
+    fn range_of(&self, ending: &[u32]) -> Vec<Place> {
+        let middle = self.status.place(ending[0]);
+        let mut found = 1;
+        let mut reach = [vec![], vec![]];
+        let mut ends = [middle; 2];
+        while found < ending.len() {
+            for side in [DOWN, UP] {
+                if ends[side] != NOWHERE {
+                    ends[side] = self.status.near(ends[side], side);
+                }
+                if ends[side] != NOWHERE {
+                    reach[side].push(ends[side]);
+                    found += usize::from(self.is_ending_at(ends[side]));
+                }
+            }
+        }
+        for places in &mut reach {
+            while places.last().is_some_and(|p| !self.is_ending_at(*p)) {
+                places.pop();
+            }
+        }
+        let [down, up] = reach;
+        down.into_iter().rev().chain([middle]).chain(up).collect()
+    }
+
+    fn is_ending_at(&self, place: Place) -> bool {
+        self.is_ending[self.status.curve(place) as usize]
+    }
+
+    fn swap_strangers_out(&mut self, range: &[Place], ending: usize) {
+        let (mut bottom, mut top) = (0, range.len());
+        let mut passed = 0;
+        for i in 0..range.len() {
+            if self.is_ending_at(range[i]) {
+                passed += 1;
+            } else if 2 * passed <= ending {
+                for j in (bottom..i).rev() {
+                    self.gather_swap(range[j], range[j + 1]);
+                }
+                bottom += 1;
+            }
+        }
+        for i in (bottom..range.len()).rev() {
+            if !self.is_ending_at(range[i]) {
+                for j in i + 1..top {
+                    self.gather_swap(range[j - 1], range[j]);
+                }
+                top -= 1;
+            }
+        }
+    }
+
+    fn gather_swap(&mut self, lower: Place, upper: Place) {
+        self.audit.gather += 1;
+        self.swap(lower, upper, None);
+    }
+}

@@ -1,0 +1,161 @@
+//! Vertices: the curves that end there are taken out as one block of places, and those that start there put in, sorted by
+//! direction (memo C2).
+
+use super::Sweep;
+use crate::arrangement::cross::CrossingModule;
+use crate::arrangement::curve::{by_normal_at_start, order_at_start};
+use crate::arrangement::status::{DOWN, NOWHERE, Place, UP};
+use std::cmp::Ordering;
+
+/// The places of a vertex block from bottom to top, and the place below it.
+struct Block {
+    places: Vec<Place>,
+    below: Place,
+}
+
+impl<M: CrossingModule> Sweep<'_, M> {
+    /// A vertex, at the current point.
+    pub(super) fn vertex(&mut self, vertex: u32) {
+        let (mut starting, mut ending) = (Vec::new(), Vec::new());
+        self.vertices.starting(vertex, &mut starting);
+        self.vertices.ending(vertex, &mut ending);
+        ending.append(&mut self.joined);
+        ending.retain(|c| self.status.place(*c) != NOWHERE);
+        ending.sort_unstable();
+        ending.dedup();
+        self.sort_by_direction(&mut starting);
+        let mut around = if ending.is_empty() {
+            if starting.is_empty() {
+                return;
+            }
+            let (around, hit) = self.locate(&starting);
+            ending.extend(hit.map(|place| self.status.curve(place)));
+            around
+        } else {
+            self.gather(&mut ending)
+        };
+        let block = self.absorb(&mut around, &mut ending);
+        self.cut(&ending, vertex, &mut starting);
+        self.sort_by_direction(&mut starting);
+        self.merge(&mut starting);
+        self.replace(block, &starting);
+        self.restore_between(around);
+    }
+
+    /// Sorts curves that start at the current vertex upwards; ties by index.
+    fn sort_by_direction(&self, starting: &mut [u32]) {
+        let lines = starting.iter().all(|c| self.curves[*c as usize].is_line());
+        let order = if lines { order_at_start } else { by_normal_at_start };
+        starting.sort_unstable_by(|f, g| order(&self.curves[*f as usize], &self.curves[*g as usize]).then(f.cmp(g)));
+    }
+
+    /// Where the current point lies in the status when nothing ends there: the places around it, and the line it hits.
+    fn locate(&self, starting: &[u32]) -> ([Place; 2], Option<Place>) {
+        let tolerance = self.module.tolerance();
+        self.status.search(|curve| {
+            let distance = self.module.above(self.now, &self.curves[curve as usize]);
+            if distance == 0.0 && self.passes(curve) {
+                return Ordering::Equal;
+            }
+            if distance.abs() <= tolerance {
+                // Too close to tell: go where the new curves go, if they agree.
+                let lowest = self.crossings(curve, starting[0]).below;
+                let highest = self.crossings(curve, starting[starting.len() - 1]).below;
+                if lowest == highest {
+                    return if lowest { Ordering::Greater } else { Ordering::Less };
+                }
+            }
+            if distance >= 0.0 { Ordering::Greater } else { Ordering::Less }
+        })
+    }
+
+    /// Adds the lines next to the block that pass through the point to those that end. Moves `around` out of the block.
+    fn absorb(&self, around: &mut [Place; 2], ending: &mut Vec<u32>) -> Block {
+        let Some(&any) = ending.first() else {
+            return Block { places: Vec::new(), below: around[DOWN] };
+        };
+        let mut places = vec![self.status.place(any)];
+        for side in [UP, DOWN] {
+            places.reverse();
+            while let next = self.status.near(places[places.len() - 1], side)
+                && next != NOWHERE
+                && self.joins(next, ending)
+            {
+                places.push(next);
+            }
+        }
+        places.reverse();
+        for (side, end) in [(DOWN, places[0]), (UP, places[places.len() - 1])] {
+            if places.contains(&around[side]) {
+                around[side] = self.status.near(end, side);
+            }
+        }
+        let below = self.status.near(places[0], DOWN);
+        Block { places, below }
+    }
+
+    fn joins(&self, place: Place, ending: &mut Vec<u32>) -> bool {
+        let curve = self.status.curve(place);
+        if ending.contains(&curve) {
+            return true;
+        }
+        let passes = self.passes(curve);
+        if passes {
+            ending.push(curve);
+        }
+        passes
+    }
+
+    /// Takes the block's curves out and puts the starting ones in, at a new vertex.
+    fn replace(&mut self, block: Block, starting: &[u32]) {
+        let Block { mut places, below } = block;
+        if places.is_empty() && starting.is_empty() {
+            return;
+        }
+        self.close_gap(below);
+        self.graph.begin_vertex(self.now);
+        for &place in places.iter().rev() {
+            self.close_gap(place);
+            self.graph.close(self.edge_of[self.status.curve(place) as usize]);
+        }
+        let under = if below == NOWHERE { 0 } else { self.gap[below as usize] };
+        let over = places.last().map_or(under, |p| self.gap[*p as usize]);
+        self.put(&mut places, below, starting);
+        self.fill_gaps(&places, under, over);
+        for &place in &places {
+            self.open_edge(place);
+        }
+        self.since_now(below);
+        self.audit.longest_status = self.audit.longest_status.max(self.status.size());
+    }
+
+    /// Makes the block's places hold these curves, adding and removing places as needed.
+    fn put(&mut self, places: &mut Vec<Place>, below: Place, starting: &[u32]) {
+        for place in places.drain(starting.len().min(places.len())..) {
+            self.status.remove(place);
+        }
+        for (place, curve) in places.iter().zip(starting) {
+            self.status.replace(*place, *curve);
+        }
+        for curve in &starting[places.len()..] {
+            let top = places.last().copied().unwrap_or(below);
+            places.push(self.status.insert_above(top, *curve));
+        }
+        let size = places.iter().map(|p| *p as usize + 1).max().unwrap_or(0);
+        if self.gap.len() < size {
+            self.gap.resize(size, 0);
+            self.since.resize(size, 0.0);
+        }
+    }
+
+    /// Checks all neighbours strictly between two places, and those with them.
+    fn restore_between(&mut self, around: [Place; 2]) {
+        let mut work = Vec::new();
+        let mut place = if around[DOWN] == NOWHERE { self.status.extreme(DOWN) } else { around[DOWN] };
+        while place != NOWHERE && place != around[UP] {
+            work.push(place);
+            place = self.status.near(place, UP);
+        }
+        self.restore(work);
+    }
+}
