@@ -157,7 +157,9 @@ fn a_broken_table_ends_in_one_sentence() {
         error.strip_prefix(&format!("{}, ", file.display())).unwrap().to_owned()
     };
     assert_eq!(complaint(&good.replacen("3.25e-6", "wide", 1)), "line 3: `wide` is no number");
-    assert_eq!(complaint(&good.replacen("signal 11", "signal,11", 1)), "line 5: the row has 46 fields, the header 45");
+    let width = good.lines().find(|line| line.starts_with("case,")).unwrap().split(',').count();
+    let torn = format!("line 5: the row has {} fields, the header {width}", width + 1);
+    assert_eq!(complaint(&good.replacen("signal 11", "signal,11", 1)), torn);
     assert_eq!(complaint(&good.replacen("case,", "cas,", 1)), "line 2: missing field `case`");
     let status = complaint(&good.replacen("crashed", "tired", 1));
     assert!(status.starts_with("line 5: ") && status.contains("unknown variant `tired`"), "{status}");
