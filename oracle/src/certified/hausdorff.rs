@@ -41,19 +41,49 @@ impl From<&Shape> for Outline {
     }
 }
 
-impl Outline {
-    /// Turned left by a right angle about the origin.
-    fn turned(&self) -> Self {
-        let piece = |piece: &Piece| {
-            let circle = piece.circle.as_ref().map(|c| Circle { centre: c.centre.left(), ..c.clone() });
-            Piece { from: piece.from.left(), to: piece.to.left(), circle }
-        };
+/// A turn to the left about the origin, given by any vector of its direction.
+#[derive(Clone, Copy)]
+struct Turn {
+    across: f64,
+    up: f64,
+    length: f64,
+}
+
+/// Turns that make most directions neither upright nor level: a flat arc is rarely upright in all of them.
+const TURNS: [Turn; 2] = [Turn { across: 0.0, up: 1.0, length: 1.0 }, Turn { across: 4.0, up: 3.0, length: 5.0 }];
+
+impl Turn {
+    fn back(self) -> Self {
+        Self { up: -self.up, ..self }
+    }
+
+    fn vector(self, v: &Vector) -> Vector {
+        let x = &v.x * self.across - &v.y * self.up;
+        let y = &v.x * self.up + &v.y * self.across;
+        Vector { x: x / self.length, y: y / self.length }
+    }
+
+    fn piece(self, piece: &Piece) -> Piece {
+        let circle = piece.circle.as_ref().map(|c| Circle { centre: self.vector(&c.centre), ..c.clone() });
+        Piece { from: self.vector(&piece.from), to: self.vector(&piece.to), circle }
+    }
+
+    fn outline(self, outline: &Outline) -> Outline {
         let span = |span: &Span| {
             let curve = Arc::clone(&span.curve);
-            let turned = Curve::new(move |precision| piece(curve.at(precision)));
-            Span { curve: Arc::new(turned), ends: span.ends.each_ref().map(Vector::left) }
+            let turned = Curve::new(move |precision| self.piece(curve.at(precision)));
+            Span { curve: Arc::new(turned), ends: span.ends.each_ref().map(|end| self.vector(end)) }
         };
-        Self { pieces: self.pieces.iter().map(span).collect(), unbounded: self.unbounded }
+        Outline { pieces: outline.pieces.iter().map(span).collect(), unbounded: outline.unbounded }
+    }
+
+    fn found(self, mut found: Found) -> Found {
+        if let Some(place) = &found.place {
+            let place = self.vector(place);
+            found.bracket.witness = place.nearest();
+            found.place = Some(place);
+        }
+        found
     }
 }
 
@@ -66,16 +96,6 @@ pub struct Found {
     pub place: Option<Vector>,
 }
 
-impl Found {
-    /// The witness turned right by a right angle about the origin.
-    fn turned_back(mut self) -> Self {
-        let (x, y) = self.bracket.witness;
-        self.bracket.witness = (y, -x);
-        self.place = self.place.map(|place| -&place.left());
-        self
-    }
-}
-
 /// A certified bracket of the distance between a result and the region it should be, in the units of their coordinates;
 /// `None` if it is undecided how two of the curves meet. It is infinite if one region is unbounded or empty and the other
 /// is not.
@@ -84,13 +104,19 @@ impl Found {
 /// [`OracleError::BadNumber`] for coordinates too large for doubles, [`OracleError::Inconsistent`] for boundaries that do
 /// not close.
 pub fn between(result: &Outline, truth: &Outline) -> Result<Option<Found>, OracleError> {
-    let (found, blur) = match upright_between(result, truth)? {
-        Some((found, blur)) if blur > FLOOR => (found, blur),
-        found => return Ok(found.map(|(found, _)| found)),
-    };
-    // Where a flat arc is upright, much of it lies in one strip; a quarter of a turn makes it level.
-    let turned = upright_between(&result.turned(), &truth.turned())?;
-    Ok(Some(turned.filter(|(_, less)| *less < blur).map_or(found, |(found, _)| found.turned_back())))
+    let Some((mut best, mut blur)) = upright_between(result, truth)? else { return Ok(None) };
+    // Where a flat arc is upright, much of it lies in one strip.
+    for turn in TURNS {
+        if blur <= FLOOR {
+            break;
+        }
+        if let Some((found, less)) = upright_between(&turn.outline(result), &turn.outline(truth))?
+            && less < blur
+        {
+            (best, blur) = (turn.back().found(found), less);
+        }
+    }
+    Ok(Some(best))
 }
 
 /// The bracket from upright slabs, and how much of its width is due to the strips between them.
@@ -187,8 +213,7 @@ mod tests {
         holds(&measured(&region(&bent), &region(&straight)), sagitta);
         let level = |corners: [(f64, f64, f64); 3]| region(&corners.map(|(x, y, bulge)| (-y, x, bulge)));
         holds(&measured(&level(bent), &level(straight)), sagitta);
-        let found = upright_between(&region(&bent).turned(), &region(&straight).turned()).expect("closed");
-        let found = found.expect("decided").0.turned_back();
+        let found = between(&region(&bent), &region(&straight)).expect("closed").expect("decided");
         assert!(found.bracket.witness.0.abs() < 1e-15 && (0.0..1.0).contains(&found.bracket.witness.1), "{found:?}");
     }
 }

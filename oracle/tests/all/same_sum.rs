@@ -144,18 +144,22 @@ fn a_small_difference_is_seen() {
     assert!(same(reference(&a, &b).sum(), reference(&a, &c).sum()).is_err());
 }
 
-/// An upright side bent by two units in the last place of a bulge: most of it is within far less than a unit of its
-/// leftmost abscissa.
+/// An upright side bent by two units in the last place of a bulge, of which most is within far less than a unit of its
+/// leftmost abscissa, alone and with a level one.
 #[test]
-fn a_flat_upright_arc_hides_nothing() -> Result<(), TestCaseError> {
+fn a_flat_arc_hides_nothing() -> Result<(), TestCaseError> {
     let bulgy = |corners: &[(f64, f64, f64)]| {
         let corner = |&(x, y, bulge): &(f64, f64, f64)| Corner { x, y, bend: Bend::Bulge(bulge) };
         PlainRegion { loops: vec![corners.iter().map(corner).collect()], unbounded: false }
     };
-    let block = |bulge: f64| {
-        let right = [(2.0, -1.0, 0.0), (2.0, 1.0, 0.125), (1.0, 1.0, 0.0), (1.0, 2.0, 0.0), (0.0, 2.0, bulge)];
-        bulgy(&[&[(0.0, -1.0, 0.125), (1.0, -1.0, 0.0)], &right[..]].concat())
+    let block = |upright: f64, level: f64| {
+        let right = [(2.0, -1.0, 0.0), (2.0, 1.0, level), (1.0, 1.0, 0.125), (1.0, 2.0, 0.0), (0.0, 2.0, upright)];
+        bulgy(&[&[(0.0, -1.0, -0.125), (1.0, -1.0, 0.0)], &right[..]].concat())
     };
-    let (a, b) = (block(f64::from(-51).exp2()), mirrored(&block(0.0)));
-    same(reference(&a, &b).sum(), reference(&b, &a).sum())
+    let flat = f64::from(-51).exp2();
+    for level in [0.0, -flat] {
+        let (a, b) = (block(-flat, level), mirrored(&block(0.0, 0.0)));
+        same(reference(&a, &b).sum(), reference(&b, &a).sum())?;
+    }
+    Ok(())
 }
