@@ -61,6 +61,7 @@ fn add(pieces: &mut Pieces, boundary: &Boundary, operand: u8) {
     pieces.pieces.extend(boundary.pieces(operand).into_iter().map(|mut piece| {
         piece.tail += first;
         piece.head += first;
+        piece.whole = piece.whole.map(|vertex| vertex + first);
         piece.source.second = u32::from(operand);
         piece
     }));

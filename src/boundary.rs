@@ -61,6 +61,7 @@ impl Boundary {
             head: s.head,
             a: s.a,
             b: s.b,
+            whole: [s.tail, s.head],
             delta: s.delta,
             r: s.r,
             source: Source { first: s.edge, second: 0 },

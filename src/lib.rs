@@ -10,6 +10,7 @@ pub mod arc;
 pub mod arrangement;
 pub mod boolean;
 pub mod boundary;
+pub mod chain;
 pub mod convolution;
 pub mod errata;
 pub mod exact;

@@ -27,7 +27,10 @@ pub struct Piece {
     pub a: Ang,
     /// Rightward normal angle at the head.
     pub b: Ang,
-    /// Half the sweep in radians, in [-pi/4, pi/4]: positive when the centre is on the left, 0 for a line.
+    /// The ends of the piece that this is a part of, likewise; its own ends if it is whole. They fix the geometry: the ends
+    /// of a part lie on the whole only up to rounding.
+    pub whole: [u32; 2],
+    /// Half the sweep of the whole in radians, in [-pi/4, pi/4]: positive when the centre is on the left, 0 for a line.
     pub delta: f64,
     /// Signed radius in units of the frame, 0 for a line. Kept to recognise equal circles; never used to evaluate.
     pub r: f64,

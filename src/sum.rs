@@ -1,7 +1,7 @@
 //! The approximate Minkowski sum: normalise, convolve, arrange, extract (MS 4, with the kinetic convolution).
 
 use crate::arrangement::{Arrangement, arrange};
-use crate::convolution::kinetic;
+use crate::convolution::{kinetic, monotonic};
 use crate::extract::{outline, region};
 use crate::frame::Frame;
 use crate::piece::{Piece, Pieces};
@@ -10,9 +10,21 @@ use crate::smooth::{Smooth, SmoothError};
 use crate::sum3::Rounding;
 use std::time::{Duration, Instant};
 
+/// Which convolution a sum is extracted from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Convolution {
+    /// All sums of boundary points with equal normals (MS 3).
+    #[default]
+    Kinetic,
+    /// Crusts and moved boundaries (MS 5).
+    Monotonic,
+}
+
 /// What can be chosen about a sum.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Options {
+    /// The convolution.
+    pub convolution: Convolution,
     /// How the end points of sum segments are rounded.
     pub rounding: Rounding,
 }
@@ -66,7 +78,11 @@ pub fn sum(a: &Region, b: &Region, options: &Options) -> Result<Sum, SumError> {
     let smooth =
         |region, frame, operand| Smooth::new(region, frame).map_err(|reason| SumError::Operand { operand, reason });
     let (smooth_a, smooth_b) = (smooth(a, &frames.0, 'A')?, smooth(b, &frames.1, 'B')?);
-    let pieces = kinetic(&smooth_a, &smooth_b, options.rounding);
+    let convolve = match options.convolution {
+        Convolution::Kinetic => kinetic,
+        Convolution::Monotonic => monotonic,
+    };
+    let pieces = convolve(&smooth_a, &smooth_b, options.rounding);
     let plane = pieces.is_none();
     let convolution = pieces.unwrap_or_else(|| Pieces { base: [1, 0], ..Pieces::default() });
     let convolved = Instant::now();
@@ -92,7 +108,7 @@ impl Sum {
         let segment = |piece: &Piece| {
             let [p, q] = [piece.tail, piece.head]
                 .map(|v| self.frames.0.sum_to_input(&self.frames.1, self.convolution.points[v as usize]));
-            [p.x, p.y, q.x, q.y, libm::tan(0.5 * piece.delta)]
+            [p.x, p.y, q.x, q.y, libm::tan(0.25 * piece.a.turn_to(piece.b))]
         };
         self.convolution.pieces.iter().map(segment).collect()
     }

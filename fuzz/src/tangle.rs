@@ -17,7 +17,17 @@ pub fn tangle(loops: &[Vec<DVec2>]) -> Pieces {
             let Some(normal) = Ang::of_line(p, q) else { continue };
             let source = Source { first: pieces.pieces.len() as u32, second: 0 };
             let (tail, head) = (first + i as u32, first + ((i + 1) % n) as u32);
-            pieces.pieces.push(Piece { tail, head, a: normal, b: normal, delta: 0.0, r: 0.0, source, operand: 0 });
+            pieces.pieces.push(Piece {
+                tail,
+                head,
+                a: normal,
+                b: normal,
+                whole: [tail, head],
+                delta: 0.0,
+                r: 0.0,
+                source,
+                operand: 0,
+            });
         }
     }
     pieces

@@ -17,7 +17,9 @@ pub struct Curve {
     pub start: DVec2,
     /// Vertex of `start`.
     pub first: u32,
-    /// Vertex of the right end.
+    /// Right (upper) end of the part, and its vertex.
+    pub end: DVec2,
+    /// Vertex of `end`.
     pub last: u32,
     /// Left (of a vertical: lower) end of the whole piece.
     pub left: DVec2,
@@ -57,16 +59,23 @@ pub fn by_size(x: f64, y: f64) -> Ordering {
 }
 
 impl Curve {
-    /// The curve of a piece with these two end points; `None` if they coincide. An arc on a vertical chord becomes a line:
-    /// its x extent has been rounded away, so its sagitta is below one rounding as well.
+    /// The curve of a piece with these two end points, part of a whole with those; `None` if they coincide. An arc on a
+    /// vertical chord becomes a line: its x extent has been rounded away, so its sagitta is below one rounding as well.
     #[must_use]
-    pub fn new(index: u32, piece: &Piece, tail: (u32, DVec2), head: (u32, DVec2)) -> Option<Self> {
+    pub fn new(
+        index: u32,
+        piece: &Piece,
+        tail: (u32, DVec2),
+        head: (u32, DVec2),
+        [whole_tail, whole_head]: [DVec2; 2],
+    ) -> Option<Self> {
         if tail.0 == head.0 {
             return None;
         }
         let forward = compare(tail.1, head.1).is_lt();
         let (from, to) = if forward { (tail, head) } else { (head, tail) };
-        let chord = to.1 - from.1;
+        let (left, right) = if forward { (whole_tail, whole_head) } else { (whole_head, whole_tail) };
+        let chord = right - left;
         let signed = if forward { piece.delta } else { -piece.delta };
         let delta = if chord.x == 0.0 { 0.0 } else { signed };
         let normals = match (chord.x == 0.0, forward) {
@@ -79,9 +88,10 @@ impl Curve {
         Some(Self {
             start: from.1,
             first: from.0,
+            end: to.1,
             last: to.0,
-            left: from.1,
-            right: to.1,
+            left,
+            right,
             delta,
             normals,
             weight,

@@ -123,7 +123,7 @@ impl Pair<'_> {
     }
 
     fn end(&self) -> DVec2 {
-        if compare(self.f.right, self.g.right).is_le() { self.f.right } else { self.g.right }
+        if compare(self.f.end, self.g.end).is_le() { self.f.end } else { self.g.end }
     }
 
     fn sign(&self, distance: f64) -> i8 {
@@ -161,11 +161,7 @@ impl Pair<'_> {
 
     /// How far f is above g, vertically, at the end of the common part.
     fn gap_at_end(&self) -> f64 {
-        if compare(self.f.right, self.g.right).is_le() {
-            self.g.above(self.f.right)
-        } else {
-            -self.f.above(self.g.right)
-        }
+        if compare(self.f.end, self.g.end).is_le() { self.g.above(self.f.end) } else { -self.f.above(self.g.end) }
     }
 
     /// The sign half way between two points of f in the common part. A vertical has no half way: it crosses at most once.

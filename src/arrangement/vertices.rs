@@ -69,7 +69,8 @@ impl Vertices {
         let mut curves = Vec::with_capacity(pieces.pieces.len());
         for (index, piece) in pieces.pieces.iter().enumerate() {
             let end = |i: u32| (vertex_of[i as usize], clean[i as usize]);
-            if let Some(curve) = Curve::new(index as u32, piece, end(piece.tail), end(piece.head)) {
+            let whole = piece.whole.map(|i| clean[i as usize]);
+            if let Some(curve) = Curve::new(index as u32, piece, end(piece.tail), end(piece.head), whole) {
                 vertices.register(curves.len() as u32, &curve);
                 curves.push(curve);
             }

@@ -7,6 +7,7 @@
 
 use super::sums::{Placed, Sums};
 use crate::angle::Ang;
+use crate::chain::{Chain, Link};
 use crate::smooth::{Kind, Smooth};
 
 /// What happens at an angle, in this order: the order is the tie rule.
@@ -27,9 +28,8 @@ struct Event {
     index: usize,
 }
 
-/// Adds the convolution of some loops of A with some loops of B.
-pub fn convolve(sums: &mut Sums, a: &Smooth, loops_a: &[usize], b: &Smooth, loops_b: &[usize]) {
-    let sides = [Side::new(a, loops_a), Side::new(b, loops_b)];
+/// Adds the convolution of two sequences of segments and turns.
+pub fn convolve(sums: &mut Sums, sides: [Side; 2]) {
     let mut events: Vec<Event> = Vec::new();
     for (operand, side) in sides.iter().enumerate() {
         side.events(operand, &mut events);
@@ -39,17 +39,26 @@ pub fn convolve(sums: &mut Sums, a: &Smooth, loops_a: &[usize], b: &Smooth, loop
 }
 
 /// The segments of one operand.
-struct Side<'a> {
+pub struct Side<'a> {
     segs: Vec<Placed<'a>>,
 }
 
 impl<'a> Side<'a> {
-    fn new(region: &'a Smooth, loops: &[usize]) -> Self {
+    /// Those of some loops.
+    pub fn of_loops(region: &'a Smooth, loops: &[usize]) -> Self {
         let segs = loops.iter().flat_map(|&l| {
             let segs = region.loops[l].segs.iter().enumerate();
             segs.map(move |(i, seg)| Placed { seg, of_loop: l as u32, index: i as u32 })
         });
         Self { segs: segs.collect() }
+    }
+
+    /// Those of a smoothed chain.
+    pub fn of_chain(chain: &'a Chain) -> Self {
+        let of_loop = chain.of_loop as u32;
+        // A turn is found by its vertex, so those at the ends need no place.
+        let placed = |link: &'a Link| Placed { seg: &link.seg, of_loop, index: link.index.unwrap_or(0) as u32 };
+        Self { segs: chain.links.iter().map(placed).collect() }
     }
 
     fn events(&self, operand: usize, events: &mut Vec<Event>) {

@@ -1,14 +1,20 @@
 //! Convolutions: closed curves whose winding numbers tell the sum from the free space (MS 3; memo B).
 
+mod crust;
+mod envelope;
 pub mod fill;
 mod kinetic;
+mod monotonic;
+mod part;
 mod sums;
 
 use crate::angle::Ang;
+use crate::arrangement::cross::FloatModule;
 use crate::piece::Pieces;
 use crate::smooth::Smooth;
 use crate::sum3::Rounding;
-use fill::{PairSum, fill};
+use fill::{Filled, PairSum, fill};
+use kinetic::Side;
 use sums::Sums;
 
 /// A place inside an arc of an operand at which sum segments end.
@@ -26,18 +32,39 @@ pub struct Stop {
 /// components. `None` when the sum is the whole plane.
 #[must_use]
 pub fn kinetic(a: &Smooth, b: &Smooth, rounding: Rounding) -> Option<Pieces> {
-    collect(a, b, rounding).map(|(sums, base)| sums.finish(base))
+    collect(a, b, rounding, kinetically).map(|(sums, base)| sums.finish(base))
 }
+
+/// The monotonic convolution, likewise.
+#[must_use]
+pub fn monotonic(a: &Smooth, b: &Smooth, rounding: Rounding) -> Option<Pieces> {
+    let module = FloatModule::new(EXTENT);
+    collect(a, b, rounding, |sums, filled| monotonic::convolve(sums, a, b, filled, &module))
+        .map(|(sums, base)| sums.finish(base))
+}
+
+/// The side of a box that holds every sum of regions in the unit box.
+const EXTENT: f64 = 2.0;
 
 /// The places inside the arcs of each operand at which the segments of their kinetic convolution end, in order: where
 /// step 1 of MS 4.2 splits. Nothing when the sum is the whole plane.
 #[must_use]
 pub fn kinetic_stops(a: &Smooth, b: &Smooth) -> [Vec<Stop>; 2] {
-    collect(a, b, Rounding::Correct).map(|(sums, _)| sums.stops()).unwrap_or_default()
+    collect(a, b, Rounding::Correct, kinetically).map(|(sums, _)| sums.stops()).unwrap_or_default()
 }
 
-/// The sum segments and the winding number far away.
-fn collect<'a>(a: &'a Smooth, b: &'a Smooth, rounding: Rounding) -> Option<(Sums<'a>, i32)> {
+fn kinetically(sums: &mut Sums, filled: &Filled) {
+    let (a, b) = sums.regions();
+    kinetic::convolve(sums, [Side::of_loops(a, &filled.a), Side::of_loops(b, &filled.b)]);
+}
+
+/// The sum segments of all pairs of components and the winding number far away.
+fn collect<'a>(
+    a: &'a Smooth,
+    b: &'a Smooth,
+    rounding: Rounding,
+    convolve: impl Fn(&mut Sums<'a>, &Filled),
+) -> Option<(Sums<'a>, i32)> {
     let mut sums = Sums::new(a, b, rounding);
     let mut base = 0;
     for i in &a.components {
@@ -46,7 +73,7 @@ fn collect<'a>(a: &'a Smooth, b: &'a Smooth, rounding: Rounding) -> Option<(Sums
                 PairSum::Plane => return None,
                 PairSum::Loops(filled) => {
                     base += filled.base;
-                    kinetic::convolve(&mut sums, a, &filled.a, b, &filled.b);
+                    convolve(&mut sums, &filled);
                 }
             }
         }

@@ -37,6 +37,22 @@ pub struct Placed<'a> {
     pub index: u32,
 }
 
+impl Placed<'_> {
+    fn summand(&self) -> Summand {
+        match self.seg.kind {
+            Kind::Turn => Summand::Vertex(self.seg.tail),
+            Kind::Line | Kind::Arc => Summand::Segment(self.of_loop, self.index),
+        }
+    }
+}
+
+/// A segment run backwards, between two vertices.
+fn reversed(seg: &Seg, tail: u32, head: u32, source: Source) -> Piece {
+    let (a, b) = (seg.b.opposite(), seg.a.opposite());
+    let delta = if seg.kind == Kind::Line { 0.0 } else { -seg.delta };
+    Piece { tail, head, a, b, whole: [tail, head], delta, r: -seg.r, source, operand: 0 }
+}
+
 /// Collects the sum segments of two regions.
 pub struct Sums<'a> {
     a: &'a Smooth,
@@ -45,6 +61,16 @@ pub struct Sums<'a> {
     vertices: HashMap<(Site, Site), u32>,
     edges: [u32; 2],
     pieces: Pieces,
+    summands: Vec<[Summand; 2]>,
+}
+
+/// What a piece is the sum of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Summand {
+    /// A vertex, or the turn there.
+    Vertex(u32),
+    /// A line or arc, by its loop and its place in the loop.
+    Segment(u32, u32),
 }
 
 impl<'a> Sums<'a> {
@@ -52,7 +78,55 @@ impl<'a> Sums<'a> {
     #[must_use]
     pub fn new(a: &'a Smooth, b: &'a Smooth, rounding: Rounding) -> Self {
         let edges = [a, b].map(|s| s.loops.iter().flat_map(|l| &l.segs).map(|s| s.edge + 1).max().unwrap_or(0));
-        Self { a, b, rounding, vertices: HashMap::new(), edges, pieces: Pieces::default() }
+        let (vertices, pieces, summands) = (HashMap::new(), Pieces::default(), Vec::new());
+        Self { a, b, rounding, vertices, edges, pieces, summands }
+    }
+
+    /// The two regions.
+    #[must_use]
+    pub fn regions(&self) -> (&'a Smooth, &'a Smooth) {
+        (self.a, self.b)
+    }
+
+    /// How many pieces there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.pieces.pieces.len()
+    }
+
+    /// Takes back the pieces from this one on, with their summands.
+    pub fn take_from(&mut self, first: usize) -> Vec<(Piece, [Summand; 2])> {
+        self.pieces.pieces.drain(first..).zip(self.summands.drain(first..)).collect()
+    }
+
+    /// Adds a piece.
+    pub fn push(&mut self, piece: Piece, summands: [Summand; 2]) {
+        self.pieces.pieces.push(piece);
+        self.summands.push(summands);
+    }
+
+    /// The vertices of the pieces.
+    pub fn points(&mut self) -> &mut Vec<DVec2> {
+        &mut self.pieces.points
+    }
+
+    /// The vertex that is the sum of two vertices.
+    pub fn corner(&mut self, p: u32, q: u32) -> u32 {
+        self.vertex(Site::Vertex(p), Site::Vertex(q))
+    }
+
+    /// Adds a line or arc of B moved by a vertex of A, with its ends exchanged.
+    pub fn reversed_by_vertex_of_a(&mut self, p: u32, y: Placed) {
+        let [tail, head] = [y.seg.head, y.seg.tail].map(|v| self.corner(p, v));
+        let source = Source { first: self.edges[0] + p, second: y.seg.edge };
+        self.push(reversed(y.seg, tail, head, source), [Summand::Vertex(p), y.summand()]);
+    }
+
+    /// Adds a line or arc of A moved by a vertex of B, with its ends exchanged.
+    pub fn reversed_by_vertex_of_b(&mut self, x: Placed, q: u32) {
+        let [tail, head] = [x.seg.head, x.seg.tail].map(|v| self.corner(v, q));
+        let source = Source { first: x.seg.edge, second: self.edges[1] + q };
+        self.push(reversed(x.seg, tail, head, source), [x.summand(), Summand::Vertex(q)]);
     }
 
     /// The pieces collected, with the winding number far away.
@@ -78,33 +152,36 @@ impl<'a> Sums<'a> {
     pub fn line_of_a(&mut self, line: Placed, other: Placed) {
         let site = site(other, line.seg.a);
         let ends = [line.seg.tail, line.seg.head].map(|v| self.vertex(Site::Vertex(v), site));
-        self.line(ends, line, other.seg.delta, self.source(line.seg, other.seg));
+        self.line(ends, line, other.seg.delta, [line, other]);
     }
 
     /// Adds a line of B and an arc or turn of A that has its angle.
     pub fn line_of_b(&mut self, line: Placed, other: Placed) {
         let site = site(other, line.seg.a);
         let ends = [line.seg.tail, line.seg.head].map(|v| self.vertex(site, Site::Vertex(v)));
-        self.line(ends, line, other.seg.delta, self.source(other.seg, line.seg));
+        self.line(ends, line, other.seg.delta, [other, line]);
     }
 
-    fn line(&mut self, [tail, head]: [u32; 2], line: Placed, delta: f64, source: Source) {
+    fn line(&mut self, [tail, head]: [u32; 2], line: Placed, delta: f64, summands: [Placed; 2]) {
         let forward = delta > 0.0;
         let (tail, head) = if forward { (tail, head) } else { (head, tail) };
         let normal = if forward { line.seg.a } else { line.seg.a.opposite() };
-        self.pieces.pieces.push(Piece { tail, head, a: normal, b: normal, delta: 0.0, r: 0.0, source, operand: 0 });
+        let source = self.source(summands[0].seg, summands[1].seg);
+        let piece =
+            Piece { tail, head, a: normal, b: normal, whole: [tail, head], delta: 0.0, r: 0.0, source, operand: 0 };
+        self.push(piece, summands.map(|placed| placed.summand()));
     }
 
     /// Adds a curved segment of A and one of B over their shared angles, counter-clockwise from `low` to `high`.
     /// At most one of them is a turn.
     pub fn curved(&mut self, x: Placed, y: Placed, low: Ang, high: Ang) {
         let [from, to] = [low, high].map(|angle| self.vertex(site(x, angle), site(y, angle)));
-        let source = self.source(x.seg, y.seg);
         let radius = x.seg.r + y.seg.r;
         if radius.abs() <= TINY_RADIUS {
-            self.tiny(from, to, x.seg.delta * y.seg.delta > 0.0, source);
+            self.tiny(from, to, x, y);
             return;
         }
+        let source = self.source(x.seg, y.seg);
         let increasing = (x.seg.delta > 0.0) == (y.seg.delta > 0.0);
         let r = if increasing { radius.abs() } else { -radius.abs() };
         let half = 0.5 * low.turn_to(high);
@@ -112,23 +189,19 @@ impl<'a> Sums<'a> {
         let flip = |angle: Ang| if (r > 0.0) == (radius > 0.0) { angle } else { angle.opposite() };
         let (low, high) = (flip(low), flip(high));
         let piece = if increasing {
-            Piece { tail: from, head: to, a: low, b: high, delta: half, r, source, operand: 0 }
+            Piece { tail: from, head: to, a: low, b: high, whole: [from, to], delta: half, r, source, operand: 0 }
         } else {
-            Piece { tail: to, head: from, a: high, b: low, delta: -half, r, source, operand: 0 }
+            Piece { tail: to, head: from, a: high, b: low, whole: [to, from], delta: -half, r, source, operand: 0 }
         };
-        self.pieces.pieces.push(piece);
+        self.push(piece, [x.summand(), y.summand()]);
     }
 
     /// A circle of no size: its ends differ by rounding if at all. A line keeps the convolution closed.
-    fn tiny(&mut self, from: u32, to: u32, increasing: bool, source: Source) {
-        let (tail, head) = if increasing { (from, to) } else { (to, from) };
-        let points = &self.pieces.points;
-        if let Some(normal) = Ang::of_line(points[tail as usize], points[head as usize]) {
-            self.pieces.pieces.push(Piece { tail, head, a: normal, b: normal, delta: 0.0, r: 0.0, source, operand: 0 });
-        } else if tail != head {
-            // Equal coordinates: the arrangement merges the two vertices.
-            let normal = Ang::RIGHT;
-            self.pieces.pieces.push(Piece { tail, head, a: normal, b: normal, delta: 0.0, r: 0.0, source, operand: 0 });
+    fn tiny(&mut self, from: u32, to: u32, x: Placed, y: Placed) {
+        let (tail, head) = if x.seg.delta * y.seg.delta > 0.0 { (from, to) } else { (to, from) };
+        if tail != head {
+            let source = self.source(x.seg, y.seg);
+            self.push(straight(&self.pieces.points, tail, head, source), [x.summand(), y.summand()]);
         }
     }
 
@@ -169,6 +242,12 @@ impl<'a> Sums<'a> {
         self.vertices.insert((p, q), index);
         index
     }
+}
+
+/// The line between two vertices. Where they have equal coordinates the arrangement merges them, and any normal will do.
+pub fn straight(points: &[DVec2], tail: u32, head: u32, source: Source) -> Piece {
+    let normal = Ang::of_line(points[tail as usize], points[head as usize]).unwrap_or(Ang::RIGHT);
+    Piece { tail, head, a: normal, b: normal, whole: [tail, head], delta: 0.0, r: 0.0, source, operand: 0 }
 }
 
 /// The place of a segment at an angle.

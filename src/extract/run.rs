@@ -5,7 +5,7 @@ use super::Corner;
 use super::trace::Pinches;
 use crate::arrangement::curve::Curve;
 use crate::arrangement::graph::{Graph, HalfEdge};
-use crate::piece::{Pieces, Source};
+use crate::piece::{Piece, Pieces, Source};
 use glam::DVec2;
 use std::f64::consts::FRAC_PI_2;
 
@@ -17,7 +17,8 @@ struct Stretch {
     /// Half the sweep, 0 for a line.
     delta: f64,
     curve: u32,
-    piece: u32,
+    /// The ends of the whole piece.
+    whole: [u32; 2],
     source: Source,
     /// Whether the boundary passes through `from` more than once.
     pinched: bool,
@@ -38,8 +39,8 @@ fn stretches(graph: &Graph, pieces: &Pieces, halves: &[HalfEdge], pinches: &Pinc
         let curve = &graph.curves[index as usize];
         let [from, to] = [graph.origin(half), graph.target(half)].map(|v| graph.points[v as usize]);
         let delta = if half.is_multiple_of(2) { curve.delta } else { -curve.delta };
-        let source = pieces.pieces[curve.piece as usize].source;
-        Stretch { from, to, delta, curve: index, piece: curve.piece, source, pinched: pinches.contains(from) }
+        let Piece { source, whole, .. } = pieces.pieces[curve.piece as usize];
+        Stretch { from, to, delta, curve: index, whole, source, pinched: pinches.contains(from) }
     };
     halves.iter().map(stretch).collect()
 }
@@ -62,7 +63,7 @@ fn merged(stretches: Vec<Stretch>, join: impl Fn(&Stretch, &Stretch) -> Option<S
 }
 
 fn same_piece(s: &Stretch, t: &Stretch) -> Option<Stretch> {
-    let same = s.piece == t.piece && s.delta == t.delta && s.from != t.to;
+    let same = s.whole == t.whole && s.delta == t.delta && s.from != t.to;
     (same || collinear(s, t)).then_some(Stretch { to: t.to, ..*s })
 }
 

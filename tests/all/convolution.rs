@@ -1,7 +1,7 @@
 //! The kinetic convolution: closed, the same by sweep and by walk, and its winding numbers count what they should.
 
 use arcsum::angle::Ang;
-use arcsum::convolution::kinetic;
+use arcsum::convolution::{kinetic, monotonic};
 use arcsum::frame::Frame;
 use arcsum::piece::{Pieces, Source};
 use arcsum::region::Region;
@@ -66,6 +66,12 @@ proptest! {
     fn every_vertex_has_as_many_in_as_out(a in any_region(), b in any_region()) {
         let (a, b) = smooth_pair(&a, &b);
         assert_closed(&kinetic(&a, &b, Rounding::Correct).expect("bounded"))?;
+    }
+
+    #[test]
+    fn the_monotonic_one_is_closed_as_well(a in any_region(), b in any_region()) {
+        let (a, b) = smooth_pair(&a, &b);
+        assert_closed(&monotonic(&a, &b, Rounding::Correct).expect("bounded"))?;
     }
 
     /// Angles that are wrong by up to 1e-3, but shared by neighbours, must still close the convolution.

@@ -4,7 +4,7 @@
 use arcsum::arrangement::cross::EPS;
 use arcsum::frame::Frame;
 use arcsum::region::{Curve, Node, Region};
-use arcsum::sum::{Options, sum};
+use arcsum::sum::{Convolution, Options, sum};
 use arcsum_oracle::measure::hausdorff;
 use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
 use arcsum_oracle::polygon;
@@ -28,7 +28,8 @@ fn polygons(lattice: Lattice) -> impl Strategy<Value = Region> {
 }
 
 fn measured(a: &Region, b: &Region) -> (Region, usize, arcsum_oracle::measure::Bracket) {
-    let result = sum(a, b, &Options::default()).expect("valid").region;
+    let convolution = if std::env::var_os("MONO").is_some() { Convolution::Monotonic } else { Convolution::Kinetic };
+    let result = sum(a, b, &Options { convolution, ..Options::default() }).expect("valid").region;
     let exact = polygon::sum(&plain(a), &plain(b)).expect("within budget");
     let bracket = hausdorff(&plain(&result), &exact, 2_f64.powi(Frame::pair(a, b).0.exp)).expect("measurable");
     (result, exact.loops().len(), bracket)

@@ -2,7 +2,7 @@
 
 pub mod cells;
 pub mod command;
-pub mod kinetic;
+pub mod own;
 pub mod registry;
 
 use arcsum::region::Region;

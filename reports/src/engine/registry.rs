@@ -1,11 +1,12 @@
 //! The engines by name.
 
 use super::command::Program;
-use super::kinetic::Kinetic;
+use super::own::Own;
 use super::{Abilities, Engine};
+use arcsum::sum::Convolution;
 
 /// The built-in engines.
-pub const BUILT_IN: &[&str] = &["kinetic"];
+pub const BUILT_IN: &[&str] = &["kinetic", "monotonic"];
 
 /// A name that is no engine's.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -18,7 +19,8 @@ pub struct NoSuchEngine(pub String);
 /// When there is none.
 pub fn engine(name: &str) -> Result<Box<dyn Engine>, NoSuchEngine> {
     match name {
-        "kinetic" => Ok(Box::new(Kinetic)),
+        "kinetic" => Ok(Box::new(Own(Convolution::Kinetic))),
+        "monotonic" => Ok(Box::new(Own(Convolution::Monotonic))),
         _ if name.strip_prefix("cmd:").is_some_and(|p| !p.trim().is_empty()) => Ok(Box::new(Program::new(name))),
         _ => Err(NoSuchEngine(name.to_owned())),
     }

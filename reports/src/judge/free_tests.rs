@@ -5,8 +5,9 @@ use super::*;
 use crate::bridge::plain;
 use crate::cases::shape::{disc, polygon, rectangle, region};
 use crate::engine::Engine;
-use crate::engine::kinetic::Kinetic;
+use crate::engine::own::Own;
 use arcsum::region::{Node, Region};
+use arcsum::sum::Convolution;
 use arcsum_oracle::certified::depth::Summed;
 use arcsum_oracle::certified::reference::Reference;
 use arcsum_oracle::error::Budget;
@@ -51,7 +52,7 @@ fn holds(bracket: Greatest, truth: f64) -> bool {
 
 #[test]
 fn a_right_answer_has_nothing_falsely_free() {
-    let answer = Kinetic.sum(&disc(1.0), &disc(0.5)).unwrap();
+    let answer = Own(Convolution::Kinetic).sum(&disc(1.0), &disc(0.5)).unwrap();
     let mu = libm::scalbn(1.0, -50);
     let findings = found(&answer, mu);
     assert_eq!((findings.falsely_free, findings.bubbles, findings.cracks), (0, Some(0), Some(0)), "{findings:?}");
@@ -121,7 +122,7 @@ fn the_sum_of_other_regions_does_not_pass() {
     // A hole that belongs there: the check of a hole fails if the regions are taken for others.
     let ring = dug(polygon(&rectangle([0.0, 0.0], [4.0, 3.0])), [1.0, 0.5], [3.0, 2.5]);
     let square = polygon(&rectangle([0.0, 0.0], [1.0, 1.0]));
-    let answer = Kinetic.sum(&ring, &square).unwrap();
+    let answer = Own(Convolution::Kinetic).sum(&ring, &square).unwrap();
     let findings = |a: &Region| {
         let [a, b] = [a, &square].map(plain);
         let exact = arcsum_oracle::polygon::sum(&a, &b).unwrap();

@@ -41,10 +41,10 @@ impl<M: CrossingModule> Sweep<'_, M> {
     fn coincide(&self, f: u32, g: u32) -> bool {
         let (f, g) = (&self.curves[f as usize], &self.curves[g as usize]);
         if f.last == g.last {
-            return f.delta == g.delta;
+            return f.delta == g.delta && (f.is_line() || (f.left, f.right) == (g.left, g.right));
         }
-        let (short, long) = if compare(f.right, g.right).is_lt() { (f, g) } else { (g, f) };
-        short.is_line() && long.is_line() && short.is_vertical() == long.is_vertical() && long.side(short.right) == 0.0
+        let (short, long) = if compare(f.end, g.end).is_lt() { (f, g) } else { (g, f) };
+        short.is_line() && long.is_line() && short.is_vertical() == long.is_vertical() && long.side(short.end) == 0.0
     }
 
     /// Makes a chain of curves that coincide from the current vertex on: one piece from each of their ends to the next, with
@@ -52,12 +52,12 @@ impl<M: CrossingModule> Sweep<'_, M> {
     /// merge more than one curve for all that have been merged before.
     fn merge_bundle(&mut self, bundle: &[u32]) -> Option<u32> {
         let mut chain = bundle.to_vec();
-        chain.sort_unstable_by(|f, g| compare(self.curves[*f as usize].right, self.curves[*g as usize].right));
+        chain.sort_unstable_by(|f, g| compare(self.curves[*f as usize].end, self.curves[*g as usize].end));
         let mut weight = chain.iter().fold([0; 2], |sum, c| add(sum, self.curves[*c as usize].weight));
         let (mut vertex, mut start) = (self.curves[bundle[0] as usize].first, self.now);
         let mut first = None;
         for curve in chain {
-            let Curve { last, right, weight: own, .. } = self.curves[curve as usize];
+            let Curve { last, end, weight: own, .. } = self.curves[curve as usize];
             self.audit.merged += 1;
             if last != vertex && weight != [0; 2] {
                 let mut piece = self.curves[curve as usize].from_vertex(vertex, start);
@@ -70,7 +70,7 @@ impl<M: CrossingModule> Sweep<'_, M> {
                 }
             }
             weight = [weight[0] - own[0], weight[1] - own[1]];
-            (vertex, start) = (last, right);
+            (vertex, start) = (last, end);
         }
         first
     }

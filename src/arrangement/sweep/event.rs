@@ -99,7 +99,7 @@ impl<M: CrossingModule> Sweep<'_, M> {
     fn while_active(&self, crossing: Moment, f: u32, g: u32) -> Moment {
         let (f, g) = (&self.curves[f as usize], &self.curves[g as usize]);
         let start = if compare(f.start, g.start).is_ge() { f.start } else { g.start };
-        let end = if compare(f.right, g.right).is_le() { f.right } else { g.right };
+        let end = if compare(f.end, g.end).is_le() { f.end } else { g.end };
         crossing.max(Moment::from(start)).min(Moment::from(end))
     }
 

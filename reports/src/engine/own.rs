@@ -1,17 +1,20 @@
-//! The engine of this project: the kinetic convolution and the approximate arrangement (MS 3, 4) with default options.
+//! The engines of this project: the kinetic and the monotonic convolution (MS 3, 5) and the approximate arrangement.
 
 use super::cells::cells;
 use super::{Abilities, Answer, Counters, Engine, EngineError, Times};
 use arcsum::region::Region;
-use arcsum::sum::{Options, Sum, sum};
+use arcsum::sum::{Convolution, Options, Sum, sum};
 
-/// The engine `kinetic`.
-#[derive(Debug, Default)]
-pub struct Kinetic;
+/// An engine by its convolution.
+#[derive(Debug)]
+pub struct Own(pub Convolution);
 
-impl Engine for Kinetic {
+impl Engine for Own {
     fn name(&self) -> &'static str {
-        "kinetic"
+        match self.0 {
+            Convolution::Kinetic => "kinetic",
+            Convolution::Monotonic => "monotonic",
+        }
     }
 
     fn version(&self) -> String {
@@ -23,7 +26,8 @@ impl Engine for Kinetic {
     }
 
     fn sum(&mut self, a: &Region, b: &Region) -> Result<Answer, EngineError> {
-        let sum = sum(a, b, &Options::default()).map_err(|e| EngineError::Invalid(e.to_string()))?;
+        let sum = sum(a, b, &Options { convolution: self.0, ..Options::default() })
+            .map_err(|e| EngineError::Invalid(e.to_string()))?;
         Ok(Answer {
             counters: counters(&sum),
             times: Times {

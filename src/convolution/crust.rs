@@ -1,0 +1,55 @@
+//! Crusts: the boundary of the sum of what lies below two upper chains, or above two lower ones (MS 5.1, 6; memo E2).
+//!
+//! Of the sum segments of the smoothed chains those are kept whose computed ends run the way a crust does, to the left on
+//! upper chains. In exact arithmetic these are the convexly compatible ones; in doubles it is this rule that leaves no gap
+//! in the envelope, however curvatures are rounded. Verticals close the envelope.
+
+use super::envelope::{Span, envelope};
+use super::kinetic::{Side, convolve};
+use super::part::part;
+use super::sums::{Summand, Sums, straight};
+use crate::arrangement::cross::CrossingModule;
+use crate::chain::Chain;
+use crate::piece::{Piece, Source};
+
+/// The crust of two chains.
+#[derive(Clone, Debug, Default)]
+pub struct Crust {
+    /// Its pieces from left to right with what they are sums of, each running the way of the chains. The verticals that
+    /// close it are not among them.
+    pub pieces: Vec<(Piece, [Summand; 2])>,
+    /// The verticals.
+    pub closers: Vec<Piece>,
+}
+
+/// The crust of a chain of A and a chain of B of the same kind.
+pub fn crust<M: CrossingModule>(sums: &mut Sums, a: &Chain, b: &Chain, module: &M) -> Crust {
+    let first = sums.len();
+    convolve(sums, [Side::of_chain(a), Side::of_chain(b)]);
+    let upper = a.upper;
+    let mut forward = sums.take_from(first);
+    let points = sums.points();
+    forward.retain(|(piece, _)| {
+        let [tail, head] = [piece.tail, piece.head].map(|v| points[v as usize].x);
+        if upper { head < tail } else { tail < head }
+    });
+    let (pieces, summands): (Vec<Piece>, Vec<[Summand; 2]>) = forward.into_iter().unzip();
+    let spans = envelope(points, &pieces, upper, module);
+    let run = |left: u32, right: u32| if upper { (right, left) } else { (left, right) };
+    let cut = |span: &Span| {
+        let (tail, head) = run(span.left, span.right);
+        (part(points, &pieces[span.piece], tail, head), summands[span.piece])
+    };
+    let cut = spans.iter().map(cut).collect();
+    let (tail, head) = (sums.corner(a.tail(), b.tail()), sums.corner(a.head(), b.head()));
+    let (left, right) = run(tail, head);
+    let mut stops = vec![left];
+    stops.extend(spans.iter().flat_map(|span| [span.left, span.right]));
+    stops.push(right);
+    let points = sums.points();
+    let closer = |pair: &[u32]| {
+        let (tail, head) = run(pair[0], pair[1]);
+        (tail != head).then(|| straight(points, tail, head, Source { first: u32::MAX, second: head }))
+    };
+    Crust { pieces: cut, closers: stops.chunks(2).filter_map(closer).collect() }
+}

@@ -1,0 +1,174 @@
+//! Envelopes: the highest, or lowest, of many x-monotone pieces at each abscissa (MS 6; memo E2).
+//!
+//! Divide and conquer. Two envelopes are merged by a sweep that has at most one piece of each at a time, so the crossing
+//! module is asked about two pieces only and cannot be inconsistent. Where a piece comes out from behind another, it is cut
+//! at its own ordinate; where two cross, both are cut at the same vertex.
+
+use crate::arrangement::cross::CrossingModule;
+use crate::arrangement::curve::Curve;
+use crate::piece::Piece;
+use glam::DVec2;
+
+/// A part of a piece that is on the envelope.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Span {
+    /// The piece.
+    pub piece: usize,
+    /// Its left end, a vertex.
+    pub left: u32,
+    /// Its right end.
+    pub right: u32,
+}
+
+/// The upper or lower envelope of pieces none of which is vertical, from left to right. Vertices are added where pieces are
+/// cut. Where there is no piece there is no span.
+pub fn envelope<M: CrossingModule>(points: &mut Vec<DVec2>, pieces: &[Piece], upper: bool, module: &M) -> Vec<Span> {
+    let end = |v: u32, points: &[DVec2]| (v, points[v as usize]);
+    let curve = |(i, p): (usize, &Piece)| {
+        let whole = p.whole.map(|v| points[v as usize]);
+        Curve::new(i as u32, p, end(p.tail, points), end(p.head, points), whole)
+    };
+    let curves: Vec<Option<Curve>> = pieces.iter().enumerate().map(curve).collect();
+    let whole =
+        |(i, c): (usize, &Option<Curve>)| c.as_ref().map(|c| vec![Span { piece: i, left: c.first, right: c.last }]);
+    let mut rows: Vec<Vec<Span>> = curves.iter().enumerate().filter_map(whole).collect();
+    while rows.len() > 1 {
+        let merged = rows.chunks(2).map(|pair| match pair {
+            [first, second] => Merge { points, curves: &curves, upper, module, parts: Vec::new() }.run(first, second),
+            rest => rest.concat(),
+        });
+        rows = merged.collect();
+    }
+    rows.pop().unwrap_or_default()
+}
+
+/// Where a part ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum End {
+    Vertex(u32),
+    /// At an abscissa inside the piece.
+    At(f64),
+}
+
+/// A part of a span.
+#[derive(Clone, Copy, Debug)]
+struct Part {
+    piece: usize,
+    ends: [End; 2],
+    /// The abscissa of the right end.
+    to: f64,
+}
+
+/// A merge of two envelopes.
+struct Merge<'a, M> {
+    points: &'a mut Vec<DVec2>,
+    curves: &'a [Option<Curve>],
+    upper: bool,
+    module: &'a M,
+    parts: Vec<Part>,
+}
+
+impl<M: CrossingModule> Merge<'_, M> {
+    fn run(mut self, first: &[Span], second: &[Span]) -> Vec<Span> {
+        let (mut i, mut j) = (0, 0);
+        let mut x = f64::NEG_INFINITY;
+        while let (Some(p), Some(q)) = (first.get(i), second.get(j)) {
+            let [(p_from, p_to), (q_from, q_to)] = [p, q].map(|s| (self.x(s.left).max(x), self.x(s.right)));
+            x = if p_to <= q_from || q_to <= p_from {
+                let (span, from, to) = if p_to <= q_from { (p, p_from, p_to) } else { (q, q_from, q_to) };
+                self.keep(span, from, to);
+                to.min(p_from.max(q_from))
+            } else if p_from == q_from {
+                self.overlap(p, q, p_from, p_to.min(q_to));
+                p_to.min(q_to)
+            } else {
+                let (span, from, to) = if p_from < q_from { (p, p_from, q_from) } else { (q, q_from, p_from) };
+                self.keep(span, from, to);
+                to
+            };
+            i += usize::from(p_to <= x);
+            j += usize::from(q_to <= x);
+        }
+        for span in first[i..].iter().chain(&second[j..]) {
+            self.keep(span, self.x(span.left).max(x), self.x(span.right));
+        }
+        self.finish()
+    }
+
+    fn x(&self, vertex: u32) -> f64 {
+        self.points[vertex as usize].x
+    }
+
+    /// Adds the part of a span between two abscissas.
+    fn keep(&mut self, span: &Span, from: f64, to: f64) {
+        let end = |vertex: u32, x: f64| if self.x(vertex) == x { End::Vertex(vertex) } else { End::At(x) };
+        let ends = [end(span.left, from), end(span.right, to)];
+        self.push(Part { piece: span.piece, ends, to });
+    }
+
+    /// Adds a part, or lengthens the last one if this goes on where it ended.
+    fn push(&mut self, part: Part) {
+        match self.parts.last_mut() {
+            Some(last) if last.piece == part.piece && last.ends[1] == part.ends[0] => {
+                last.ends[1] = part.ends[1];
+                last.to = part.to;
+            }
+            _ => self.parts.push(part),
+        }
+    }
+
+    /// Adds the outer of two spans between two abscissas.
+    fn overlap(&mut self, p: &Span, q: &Span, from: f64, to: f64) {
+        let [Some(f), Some(g)] = [p, q].map(|span| self.curves[span.piece].as_ref()) else { return };
+        let exchanged = q.piece < p.piece;
+        let answer = if exchanged { self.module.cross(g, f).exchanged() } else { self.module.cross(f, g) };
+        let (mut below, mut start) = (answer.below, None);
+        for crossing in answer.points() {
+            let place = crossing.at;
+            if place.x >= to {
+                break;
+            }
+            if place.x > from {
+                let vertex = self.points.len() as u32;
+                self.points.push(place);
+                self.outer(below, [p, q], (start, from), (Some(vertex), place.x));
+                start = Some(vertex);
+            }
+            below = !below;
+        }
+        self.outer(below, [p, q], (start, from), (None, to));
+    }
+
+    /// Adds the outer of two spans, given whether the first is below, between two ends: vertices, or abscissas.
+    fn outer(&mut self, below: bool, [p, q]: [&Span; 2], from: (Option<u32>, f64), to: (Option<u32>, f64)) {
+        let span = if below == self.upper { q } else { p };
+        let end = |own: u32, (vertex, x): (Option<u32>, f64)| match vertex {
+            Some(vertex) => End::Vertex(vertex),
+            None if self.x(own) == x => End::Vertex(own),
+            None => End::At(x),
+        };
+        let from = match from {
+            (Some(vertex), _) => End::Vertex(vertex),
+            from => end(span.left, from),
+        };
+        let part = Part { piece: span.piece, ends: [from, end(span.right, to)], to: to.1 };
+        self.push(part);
+    }
+
+    /// The parts with vertices where they are cut.
+    fn finish(self) -> Vec<Span> {
+        let (points, curves) = (self.points, self.curves);
+        let mut vertex = |piece: usize, end: End| match (end, &curves[piece]) {
+            (End::Vertex(vertex), _) => vertex,
+            (End::At(x), curve) => {
+                points.push(DVec2::new(x, curve.as_ref().map_or(0.0, |c| c.y_at(x))));
+                (points.len() - 1) as u32
+            }
+        };
+        let span = |part: &Part| {
+            let [left, right] = part.ends.map(|end| vertex(part.piece, end));
+            Span { piece: part.piece, left, right }
+        };
+        self.parts.iter().map(span).collect()
+    }
+}

@@ -1,0 +1,34 @@
+//! Parts of pieces, between vertices that lie on them up to rounding.
+
+use super::sums::straight;
+use crate::angle::Ang;
+use crate::piece::Piece;
+use glam::DVec2;
+
+/// The part of a whole piece from one vertex to another, in its direction. A part too short to have a width is straight.
+pub fn part(points: &[DVec2], piece: &Piece, tail: u32, head: u32) -> Piece {
+    let width = |[from, to]: [u32; 2]| points[to as usize].x - points[from as usize].x;
+    if width([tail, head]) * width([piece.tail, piece.head]).signum() <= 0.0 {
+        return straight(points, tail, head, piece.source);
+    }
+    let [a, b] = [tail, head].map(|vertex| piece.a.plus(turned(points, piece, vertex)));
+    Piece { tail, head, a, b, ..*piece }
+}
+
+/// How far the normal has turned at a vertex: twice the angle between the tangent at the nearer end and the chord to it.
+fn turned(points: &[DVec2], piece: &Piece, vertex: u32) -> f64 {
+    let whole = 2.0 * piece.delta;
+    if vertex == piece.tail || whole == 0.0 {
+        return 0.0;
+    }
+    if vertex == piece.head {
+        return whole;
+    }
+    let [tail, p, head] = [piece.tail, vertex, piece.head].map(|v| points[v as usize]);
+    let turned = if tail.distance_squared(p) <= p.distance_squared(head) {
+        Ang::of_line(tail, p).map_or(0.0, |chord| 2.0 * piece.a.turn_to(chord))
+    } else {
+        Ang::of_line(p, head).map_or(whole, |chord| whole - 2.0 * chord.turn_to(piece.b))
+    };
+    turned.clamp(whole.min(0.0), whole.max(0.0))
+}
