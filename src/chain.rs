@@ -50,6 +50,8 @@ pub struct Chains {
     pub chains: Vec<Chain>,
     /// The turning points.
     pub turnings: Vec<Turning>,
+    /// For each chain the turning points at its left and at its right end.
+    pub ends: Vec<[usize; 2]>,
 }
 
 impl Chain {
@@ -99,6 +101,9 @@ impl Chains {
             self.chains.push(Chain { of_loop, upper, links: smoothed(segs, &run, upper) });
             let after = first + (k + 1) % starts.len();
             self.turnings.push(turning(segs, end, upper, first + k, after));
+            // The turning point at the head has the chain's number, that at the tail the one before.
+            let (head, tail) = (first + k, first + (k + starts.len() - 1) % starts.len());
+            self.ends.push(if upper { [head, tail] } else { [tail, head] });
         }
     }
 }

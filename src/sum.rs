@@ -1,6 +1,7 @@
 //! The approximate Minkowski sum: normalise, convolve, arrange, extract (MS 4, with the kinetic convolution).
 
-use crate::arrangement::{Arrangement, arrange};
+use crate::arrangement::{Arrangement, arrange, arrange_with, module};
+use crate::convolution::ordered::Ordered;
 use crate::convolution::{kinetic, monotonic};
 use crate::extract::{outline, region};
 use crate::frame::Frame;
@@ -78,15 +79,19 @@ pub fn sum(a: &Region, b: &Region, options: &Options) -> Result<Sum, SumError> {
     let smooth =
         |region, frame, operand| Smooth::new(region, frame).map_err(|reason| SumError::Operand { operand, reason });
     let (smooth_a, smooth_b) = (smooth(a, &frames.0, 'A')?, smooth(b, &frames.1, 'B')?);
-    let convolve = match options.convolution {
-        Convolution::Kinetic => kinetic,
-        Convolution::Monotonic => monotonic,
+    let pieces = match options.convolution {
+        Convolution::Kinetic => kinetic(&smooth_a, &smooth_b, options.rounding).map(|pieces| (pieces, None)),
+        Convolution::Monotonic => {
+            monotonic(&smooth_a, &smooth_b, options.rounding).map(|(pieces, order)| (pieces, Some(order)))
+        }
     };
-    let pieces = convolve(&smooth_a, &smooth_b, options.rounding);
     let plane = pieces.is_none();
-    let convolution = pieces.unwrap_or_else(|| Pieces { base: [1, 0], ..Pieces::default() });
+    let (convolution, order) = pieces.unwrap_or_else(|| (Pieces { base: [1, 0], ..Pieces::default() }, None));
     let convolved = Instant::now();
-    let arrangement = arrange(&convolution);
+    let arrangement = match &order {
+        None => arrange(&convolution),
+        Some(order) => arrange_with(&convolution, &Ordered { module: module(&convolution), order }),
+    };
     let arranged = Instant::now();
     let loops = outline(&arrangement, &convolution, |w| w[0] != 0);
     let region = region(&loops, convolution.base[0] != 0 || plane, |p| frames.0.sum_to_input(&frames.1, p));

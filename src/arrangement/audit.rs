@@ -13,6 +13,10 @@ pub struct Audit {
     pub late: usize,
     /// Swaps that brought the curves ending at a vertex together.
     pub gather: usize,
+    /// Swaps refused because the order is known to be right.
+    pub cancelled: usize,
+    /// Gather swaps against an order that is known.
+    pub order_conflict: usize,
     /// Lines cut at a vertex that lies on them exactly.
     pub cut: usize,
     /// Coinciding curves merged into one of net weight.

@@ -5,6 +5,7 @@
 //! on nothing but this: the answer for a pair is a fixed function of the pair.
 
 use super::curve::Curve;
+use super::known::Known;
 use super::moment::Moment;
 use super::pair::Pair;
 use glam::DVec2;
@@ -71,6 +72,16 @@ pub trait CrossingModule {
 
     /// Vertical distances up to this count as zero.
     fn tolerance(&self) -> f64;
+
+    /// What is known about the order of two curves at an abscissa, against which crossings do not count.
+    fn known(&self, _f: &Curve, _g: &Curve, _x: f64) -> Known {
+        Known::NOTHING
+    }
+
+    /// The pieces about whose order with this one something may be known.
+    fn related(&self, _piece: u32) -> Vec<u32> {
+        Vec::new()
+    }
 }
 
 /// The honest module: closed forms in doubles, made consistent with point tests at the ends and between crossings.

@@ -8,6 +8,7 @@ pub mod cross;
 pub mod curve;
 mod faces;
 pub mod graph;
+pub mod known;
 mod meet;
 pub mod moment;
 mod pair;
@@ -38,7 +39,13 @@ pub struct Arrangement {
 /// side of their bounding box.
 #[must_use]
 pub fn arrange(pieces: &Pieces) -> Arrangement {
-    arrange_with(pieces, &FloatModule::new(extent(pieces)))
+    arrange_with(pieces, &module(pieces))
+}
+
+/// The honest crossing module for some pieces.
+#[must_use]
+pub fn module(pieces: &Pieces) -> FloatModule {
+    FloatModule::new(extent(pieces))
 }
 
 /// Arranges pieces with any crossing module.

@@ -104,6 +104,26 @@ impl Status {
         (around, None)
     }
 
+    /// The order of two places from bottom to top.
+    #[must_use]
+    pub fn compare(&self, p: Place, q: Place) -> Ordering {
+        self.rank(p).cmp(&self.rank(q))
+    }
+
+    /// Where a place is in the tree: a binary fraction, read from the root, of which way each step goes.
+    fn rank(&self, place: Place) -> Vec<u8> {
+        let mut steps = vec![1];
+        let mut at = place;
+        while let parent = self.nodes[at as usize].parent
+            && parent != NOWHERE
+        {
+            steps.push(if self.nodes[parent as usize].child[UP] == at { 2 } else { 0 });
+            at = parent;
+        }
+        steps.reverse();
+        steps
+    }
+
     /// Puts a curve directly above a place, or lowest of all above `NOWHERE`.
     pub fn insert_above(&mut self, below: Place, curve: u32) -> Place {
         let above = if below == NOWHERE { self.ends[DOWN] } else { self.near(below, UP) };

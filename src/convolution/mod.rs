@@ -5,6 +5,8 @@ mod envelope;
 pub mod fill;
 mod kinetic;
 mod monotonic;
+pub mod order;
+pub mod ordered;
 mod part;
 mod sums;
 
@@ -15,6 +17,8 @@ use crate::smooth::Smooth;
 use crate::sum3::Rounding;
 use fill::{Filled, PairSum, fill};
 use kinetic::Side;
+use monotonic::Monotonic;
+use order::Order;
 use sums::Sums;
 
 /// A place inside an arc of an operand at which sum segments end.
@@ -35,12 +39,16 @@ pub fn kinetic(a: &Smooth, b: &Smooth, rounding: Rounding) -> Option<Pieces> {
     collect(a, b, rounding, kinetically).map(|(sums, base)| sums.finish(base))
 }
 
-/// The monotonic convolution, likewise.
+/// The monotonic convolution, likewise, and the order of its pieces.
 #[must_use]
-pub fn monotonic(a: &Smooth, b: &Smooth, rounding: Rounding) -> Option<Pieces> {
+pub fn monotonic(a: &Smooth, b: &Smooth, rounding: Rounding) -> Option<(Pieces, Order)> {
     let module = FloatModule::new(EXTENT);
-    collect(a, b, rounding, |sums, filled| monotonic::convolve(sums, a, b, filled, &module))
-        .map(|(sums, base)| sums.finish(base))
+    let (mut order, mut pair) = (Order::default(), 0);
+    let (sums, base) = collect(a, b, rounding, |sums, filled| {
+        Monotonic::new(sums, &mut order, filled, pair, &module).convolve();
+        pair += 1;
+    })?;
+    Some((sums.finish(base), order))
 }
 
 /// The side of a box that holds every sum of regions in the unit box.
@@ -63,7 +71,7 @@ fn collect<'a>(
     a: &'a Smooth,
     b: &'a Smooth,
     rounding: Rounding,
-    convolve: impl Fn(&mut Sums<'a>, &Filled),
+    mut convolve: impl FnMut(&mut Sums<'a>, &Filled),
 ) -> Option<(Sums<'a>, i32)> {
     let mut sums = Sums::new(a, b, rounding);
     let mut base = 0;

@@ -8,60 +8,169 @@
 
 use super::crust::crust;
 use super::fill::Filled;
+use super::order::{Group, Kind, Order, Role};
 use super::part::part;
 use super::sums::{Placed, Summand, Sums};
 use crate::arrangement::cross::CrossingModule;
 use crate::chain::{Chain, Chains, Turning};
 use crate::piece::Piece;
-use crate::smooth::{Kind, Smooth};
-use std::collections::{HashMap, HashSet};
+use crate::smooth::{Kind as SegKind, Smooth};
+use std::collections::HashMap;
 
-/// Adds the monotonic convolution of two components.
-pub fn convolve<M: CrossingModule>(sums: &mut Sums, a: &Smooth, b: &Smooth, filled: &Filled, module: &M) {
-    let chains = [Chains::new(a, &filled.a), Chains::new(b, &filled.b)];
-    let concave = chains
-        .each_ref()
-        .map(|chains| chains.turnings.iter().filter(|t| t.concave).map(|t| t.vertex).collect::<HashSet<u32>>());
-    // The stretches of crusts that lie on a moved boundary, from left to right.
-    let mut cancelled: HashMap<[Summand; 2], Vec<[u32; 2]>> = HashMap::new();
-    for x in &chains[0].chains {
-        for y in chains[1].chains.iter().filter(|y| y.upper == x.upper) {
-            let crust = crust(sums, x, y, module);
-            for (piece, summands) in crust.pieces {
-                let on = |side: usize| matches!(summands[side], Summand::Vertex(v) if concave[side].contains(&v));
-                if on(0) || on(1) {
-                    let ends = if x.upper { [piece.head, piece.tail] } else { [piece.tail, piece.head] };
-                    cancelled.entry(summands).or_default().push(ends);
-                } else {
-                    sums.push(piece, summands);
+/// The monotonic convolution of two components.
+pub struct Monotonic<'s, 'a, M> {
+    sums: &'s mut Sums<'a>,
+    order: &'s mut Order,
+    module: &'s M,
+    regions: [&'a Smooth; 2],
+    chains: [Chains; 2],
+    /// Which pair of components this is.
+    pair: u32,
+    /// The stretches of crusts that lie on a moved boundary, from left to right.
+    cancelled: HashMap<[Summand; 2], Vec<[u32; 2]>>,
+}
+
+impl<'s, 'a, M: CrossingModule> Monotonic<'s, 'a, M> {
+    /// Makes ready for two components.
+    pub fn new(sums: &'s mut Sums<'a>, order: &'s mut Order, filled: &Filled, pair: u32, module: &'s M) -> Self {
+        let (a, b) = sums.regions();
+        let chains = [Chains::new(a, &filled.a), Chains::new(b, &filled.b)];
+        Self { sums, order, module, regions: [a, b], chains, pair, cancelled: HashMap::new() }
+    }
+
+    /// Adds their convolution.
+    pub fn convolve(mut self) {
+        for i in 0..self.chains[0].chains.len() {
+            for j in 0..self.chains[1].chains.len() {
+                if self.chains[0].chains[i].upper == self.chains[1].chains[j].upper {
+                    self.crust(i, j);
                 }
             }
-            for closer in crust.closers {
-                sums.push(closer, [Summand::Vertex(x.tail()), Summand::Vertex(y.tail())]);
+        }
+        for operand in 0..2 {
+            for turning in 0..self.chains[operand].turnings.len() {
+                if self.chains[operand].turnings[turning].concave {
+                    self.move_by(operand, turning);
+                }
             }
         }
     }
-    let first = sums.len();
-    move_by(&chains[0].turnings, &chains[1].chains, |p, placed| sums.reversed_by_vertex_of_a(p, placed));
-    move_by(&chains[1].turnings, &chains[0].chains, |p, placed| sums.reversed_by_vertex_of_b(placed, p));
-    for (piece, summands) in sums.take_from(first) {
-        let gone = cancelled.get(&summands).map_or(&[][..], Vec::as_slice);
-        for rest in rest(sums, &piece, gone) {
-            sums.push(rest, summands);
+
+    /// Adds the crust of two chains, but for what cancels.
+    fn crust(&mut self, i: usize, j: usize) {
+        let (a, b) = (&self.chains[0].chains[i], &self.chains[1].chains[j]);
+        let crust = crust(self.sums, a, b, self.module);
+        let (upper, closer) = (a.upper, [Summand::Vertex(a.tail()), Summand::Vertex(b.tail())]);
+        let kind = if upper { Kind::UpperCrust } else { Kind::LowerCrust };
+        let roles = [true, false].map(|left| {
+            let turnings = [self.turning_of(0, i, left), self.turning_of(1, j, left)];
+            (self.group(turnings), kind)
+        });
+        for (piece, summands) in crust.pieces {
+            let Some((operand, turning)) = self.concave_end([i, j], summands) else {
+                self.push(piece, summands, &roles);
+                continue;
+            };
+            let ends = if upper { [piece.head, piece.tail] } else { [piece.tail, piece.head] };
+            self.cancelled.entry(summands).or_default().push(ends);
+            let left = self.chains[operand].turnings[turning].left;
+            let range = ends.map(|v| self.sums.points()[v as usize].x);
+            self.order.cancel((roles[usize::from(!left)].0, moved(1 - operand, upper)), range);
         }
+        for piece in crust.closers {
+            self.push(piece, closer, &roles);
+        }
+    }
+
+    /// The concave turning point, at an end of one of two chains, that is a summand of a piece of their crust.
+    fn concave_end(&self, chains: [usize; 2], summands: [Summand; 2]) -> Option<(usize, usize)> {
+        (0..2).find_map(|operand| {
+            let Summand::Vertex(vertex) = summands[operand] else { return None };
+            let turning = [true, false].map(|left| self.turning_of(operand, chains[operand], left)).into_iter();
+            let is_it = |t: &usize| {
+                let turning = &self.chains[operand].turnings[*t];
+                turning.vertex == vertex && turning.concave
+            };
+            turning.into_iter().find(is_it).map(|turning| (operand, turning))
+        })
+    }
+
+    /// Adds the boundary of one region, run backwards, moved by a turning point of the other, but for what cancels.
+    fn move_by(&mut self, operand: usize, turning: usize) {
+        let Turning { vertex, left, .. } = self.chains[operand].turnings[turning];
+        let other = 1 - operand;
+        for chain in 0..self.chains[other].chains.len() {
+            let mut turnings = [turning; 2];
+            turnings[other] = self.turning_of(other, chain, left);
+            let role = (self.group(turnings), moved(other, self.chains[other].chains[chain].upper));
+            let first = self.sums.len();
+            segments(&self.chains[other].chains[chain], |placed| {
+                if operand == 0 {
+                    self.sums.reversed_by_vertex_of_a(vertex, placed);
+                } else {
+                    self.sums.reversed_by_vertex_of_b(placed, vertex);
+                }
+            });
+            for (piece, summands) in self.sums.take_from(first) {
+                let gone = self.cancelled.get(&summands).map_or(&[][..], Vec::as_slice);
+                for rest in rest(self.sums, &piece, gone) {
+                    self.push(rest, summands, &[role]);
+                }
+            }
+        }
+    }
+
+    fn push(&mut self, piece: Piece, summands: [Summand; 2], roles: &[Role]) {
+        self.sums.push(piece, summands);
+        self.order.push(roles);
+    }
+
+    /// The turning point at an end of a chain.
+    fn turning_of(&self, operand: usize, chain: usize, left: bool) -> usize {
+        self.chains[operand].ends[chain][usize::from(!left)]
+    }
+
+    /// The pair of two turning points of one handedness.
+    fn group(&mut self, turnings: [usize; 2]) -> u32 {
+        let key = [self.pair, turnings[0] as u32, turnings[1] as u32];
+        let [p, q] = [0, 1].map(|operand| self.chains[operand].turnings[turnings[operand]]);
+        // The ends of the chains that are not at the turning points.
+        let far = |operand: usize, chain: usize| {
+            let chain = &self.chains[operand].chains[chain];
+            if chain.upper == p.left { chain.tail() } else { chain.head() }
+        };
+        let (a, b) = ([p.lower, p.upper].map(|c| far(0, c)), [q.lower, q.upper].map(|c| far(1, c)));
+        let shorter = |operand: usize, [u, v]: [u32; 2]| {
+            let x = |vertex: u32| self.regions[operand].points[vertex as usize].x;
+            if (x(u) < x(v)) == p.left { u } else { v }
+        };
+        let common = [shorter(0, a), shorter(1, b)];
+        let mut x = |p: u32, q: u32| {
+            let corner = self.sums.corner(p, q);
+            self.sums.points()[corner as usize].x
+        };
+        let ends =
+            [x(a[0], b[0]), x(a[1], b[1]), x(a[0], q.vertex), x(a[1], q.vertex), x(p.vertex, b[0]), x(p.vertex, b[1])];
+        let (common, x) = (x(common[0], common[1]), x(p.vertex, q.vertex));
+        self.order.group(key, || Group { left: p.left, concave: [p.concave, q.concave], x, ends, common })
     }
 }
 
-/// All segments of some chains with every concave turning point.
-fn move_by(turnings: &[Turning], chains: &[Chain], mut add: impl FnMut(u32, Placed)) {
-    for turning in turnings.iter().filter(|t| t.concave) {
-        for chain in chains {
-            for link in &chain.links {
-                if let Some(index) = link.index.filter(|_| link.seg.kind != Kind::Turn) {
-                    let placed = Placed { seg: &link.seg, of_loop: chain.of_loop as u32, index: index as u32 };
-                    add(turning.vertex, placed);
-                }
-            }
+/// The kind of a chain of one region moved by a turning point of the other.
+fn moved(operand: usize, upper: bool) -> Kind {
+    match (operand, upper) {
+        (0, false) => Kind::LowerOfA,
+        (0, true) => Kind::UpperOfA,
+        (_, false) => Kind::LowerOfB,
+        (_, true) => Kind::UpperOfB,
+    }
+}
+
+/// The lines and arcs of a chain.
+fn segments(chain: &Chain, mut each: impl FnMut(Placed)) {
+    for link in &chain.links {
+        if let Some(index) = link.index.filter(|_| link.seg.kind != SegKind::Turn) {
+            each(Placed { seg: &link.seg, of_loop: chain.of_loop as u32, index: index as u32 });
         }
     }
 }
@@ -75,13 +184,8 @@ fn rest(sums: &mut Sums, piece: &Piece, gone: &[[u32; 2]]) -> Vec<Piece> {
     let x = |v: u32| points[v as usize].x;
     // A segment with stretches of a crust on it is not vertical.
     let rightward = x(piece.tail) < x(piece.head);
-    let mut stops: Vec<u32> = gone.iter().flatten().copied().collect();
-    if rightward {
-        stops.insert(0, piece.tail)
-    } else {
-        stops.insert(0, piece.head)
-    }
-    stops.push(if rightward { piece.head } else { piece.tail });
+    let (left, right) = if rightward { (piece.tail, piece.head) } else { (piece.head, piece.tail) };
+    let stops: Vec<u32> = [left].into_iter().chain(gone.iter().flatten().copied()).chain([right]).collect();
     let kept = |pair: &[u32]| {
         let (tail, head) = if rightward { (pair[0], pair[1]) } else { (pair[1], pair[0]) };
         (tail != head).then(|| part(points, piece, tail, head))

@@ -71,7 +71,7 @@ proptest! {
     #[test]
     fn the_monotonic_one_is_closed_as_well(a in any_region(), b in any_region()) {
         let (a, b) = smooth_pair(&a, &b);
-        assert_closed(&monotonic(&a, &b, Rounding::Correct).expect("bounded"))?;
+        assert_closed(&monotonic(&a, &b, Rounding::Correct).expect("bounded").0)?;
     }
 
     /// Angles that are wrong by up to 1e-3, but shared by neighbours, must still close the convolution.

@@ -51,6 +51,7 @@ fn counters(sum: &Sum) -> Counters {
         vertices: count(audit.vertices),
         late: count(audit.late),
         gather: count(audit.gather),
+        cancelled: count(audit.cancelled),
         cells: count(sum.arrangement.graph.windings.len()),
         ..Counters::default()
     }

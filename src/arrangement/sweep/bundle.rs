@@ -19,6 +19,7 @@ impl<M: CrossingModule> Sweep<'_, M> {
     }
 
     fn add_curve(&mut self, curve: Curve) -> u32 {
+        self.curve_of[curve.piece as usize] = self.curves.len() as u32;
         self.curves.push(curve);
         self.edge_of.push(u32::MAX);
         self.is_ending.push(false);

@@ -3,6 +3,7 @@
 use super::Sweep;
 use crate::arrangement::cross::{CrossingModule, Crossings};
 use crate::arrangement::curve::compare;
+use crate::arrangement::known::Known;
 use crate::arrangement::moment::Moment;
 use crate::arrangement::status::{DOWN, NOWHERE, Place, UP};
 use glam::DVec2;
@@ -92,7 +93,26 @@ impl<M: CrossingModule> Sweep<'_, M> {
             let place_now = (moment.at.x - now.at.x).abs() <= self.module.tolerance();
             place = place_now.then_some(moment.at);
         }
-        if below { Ok(()) } else { Err(place) }
+        let known = self.known(f, g);
+        if known.until.is_finite() {
+            let curve = &self.curves[f as usize];
+            let at = DVec2::new(known.until, curve.y_at(known.until.min(curve.end.x)));
+            self.queue.push(Reverse(Event { moment: Moment::from(at), lower: f, upper: g }));
+        }
+        match known.below {
+            Some(true) => {
+                self.audit.cancelled += usize::from(!below);
+                Ok(())
+            }
+            Some(false) => Err(None),
+            None if below => Ok(()),
+            None => Err(place),
+        }
+    }
+
+    /// What is known about the order of two curves just after the current event.
+    pub(super) fn known(&self, f: u32, g: u32) -> Known {
+        self.module.known(&self.curves[f as usize], &self.curves[g as usize], self.now.x)
     }
 
     /// The moment of a crossing, moved into the time when both curves are active.

@@ -46,6 +46,8 @@ pub(super) struct Sweep<'m, M> {
     joined: Vec<u32>,
     /// Open edge of each active curve.
     edge_of: Vec<u32>,
+    /// The curve of each piece that is, or was last, on its way.
+    curve_of: Vec<u32>,
     /// Face above each place.
     gap: Vec<u32>,
     /// Where the trapezoid above each place began.
@@ -63,9 +65,14 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
     pub(super) fn new(pieces: &Pieces, module: &'m M) -> Self {
         let (vertices, curves) = Vertices::new(pieces);
         let audit = Audit { curves: curves.len(), ..Audit::default() };
+        let mut curve_of = vec![u32::MAX; pieces.pieces.len()];
+        for (index, curve) in curves.iter().enumerate() {
+            curve_of[curve.piece as usize] = index as u32;
+        }
         Self {
             module,
             edge_of: vec![u32::MAX; curves.len()],
+            curve_of,
             is_ending: vec![false; curves.len()],
             curves,
             vertices,

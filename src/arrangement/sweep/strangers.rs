@@ -84,6 +84,8 @@ impl<M: CrossingModule> Sweep<'_, M> {
 
     fn gather_swap(&mut self, lower: Place, upper: Place) {
         self.audit.gather += 1;
+        let known = self.known(self.status.curve(lower), self.status.curve(upper));
+        self.audit.order_conflict += usize::from(known.below == Some(true));
         self.swap(lower, upper, None);
     }
 }

@@ -47,12 +47,28 @@ impl<M: CrossingModule> Sweep<'_, M> {
         let lines = starting.iter().all(|c| self.curves[*c as usize].is_line());
         let order = if lines { order_at_start } else { by_normal_at_start };
         starting.sort_unstable_by(|f, g| order(&self.curves[*f as usize], &self.curves[*g as usize]).then(f.cmp(g)));
+        self.sort_by_knowledge(starting);
     }
 
-    /// Where the current point lies in the status when nothing ends there: the places around it, and the line it hits.
+    /// Moves curves below those that they are known to be below.
+    fn sort_by_knowledge(&self, starting: &mut [u32]) {
+        for i in 1..starting.len() {
+            let lowest = (0..i).find(|&j| self.known(starting[j], starting[i]).below == Some(false));
+            if let Some(lowest) = lowest {
+                starting[lowest..=i].rotate_right(1);
+            }
+        }
+    }
+
+    /// Where the current point lies in the status when nothing ends there: the places around it, and the line it hits. What is
+    /// known about the order of the new curves goes before distances (MS 7.1).
     fn locate(&self, starting: &[u32]) -> ([Place; 2], Option<Place>) {
         let tolerance = self.module.tolerance();
+        let bounds = self.bounds(starting);
         self.status.search(|curve| {
+            if let Some(outside) = self.outside(curve, bounds) {
+                return outside;
+            }
             let distance = self.module.above(self.now, &self.curves[curve as usize]);
             if distance == 0.0 && self.passes(curve) {
                 return Ordering::Equal;
@@ -67,6 +83,35 @@ impl<M: CrossingModule> Sweep<'_, M> {
             }
             if distance >= 0.0 { Ordering::Greater } else { Ordering::Less }
         })
+    }
+
+    /// The highest active curve that is known to be below some curve that starts here, and the lowest one above.
+    fn bounds(&self, starting: &[u32]) -> [Place; 2] {
+        let mut bounds = [NOWHERE; 2];
+        for &new in starting {
+            for piece in self.module.related(self.curves[new as usize].piece) {
+                let place = self.status.place(self.curve_of[piece as usize]);
+                if place == NOWHERE {
+                    continue;
+                }
+                let Some(below) = self.known(self.status.curve(place), new).below else { continue };
+                let (side, further) = if below { (DOWN, Ordering::Less) } else { (UP, Ordering::Greater) };
+                if bounds[side] == NOWHERE || self.status.compare(bounds[side], place) == further {
+                    bounds[side] = place;
+                }
+            }
+        }
+        bounds
+    }
+
+    /// On which side of a curve new ones go if it is not strictly between the bounds.
+    fn outside(&self, curve: u32, bounds: [Place; 2]) -> Option<Ordering> {
+        let place = self.status.place(curve);
+        let [low, high] = bounds;
+        if low != NOWHERE && self.status.compare(place, low).is_le() {
+            return Some(Ordering::Greater);
+        }
+        (high != NOWHERE && self.status.compare(place, high).is_ge()).then_some(Ordering::Less)
     }
 
     /// Adds the lines next to the block that pass through the point to those that end. Moves `around` out of the block.

@@ -1,0 +1,231 @@
+//! The convolution order: what the chains of two regions say about the order of their sum segments (MS 7.1; memo E6).
+//!
+//! Two turning points of one handedness, p1 of A and p2 of B, where the chains U1, L1 and U2, L2 meet, have up to six kinds
+//! of segments that share the end p1+p2: the crusts U1+U2 and L1+L2, and, where a turning point is concave, the chains of the
+//! other region moved by it. Rounding may swap those of different kinds, though no perturbation of the regions does. The
+//! sweep keeps them in this order instead.
+//!
+//! Rules 1 to 3 of MS hold wherever both segments run. Rule 4, L1+L2 <= U1+U2, does not: its proof needs a point above L2 and
+//! below U2 at some abscissa v, and one of L1 and U1 at x - v, so it reaches only as far as the shorter chain of each pair.
+//! Beyond, the crusts may cross (see [`crate::errata`]).
+
+use crate::arrangement::curve::Curve;
+use crate::arrangement::known::Known;
+use std::collections::HashMap;
+
+/// A kind of segment at a pair of turning points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Kind {
+    /// L1+L2.
+    LowerCrust,
+    /// U1+U2.
+    UpperCrust,
+    /// L1+p2.
+    LowerOfA,
+    /// U1+p2.
+    UpperOfA,
+    /// p1+L2.
+    LowerOfB,
+    /// p1+U2.
+    UpperOfB,
+}
+
+/// Where a rule holds, besides that both segments are there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum When {
+    /// Everywhere.
+    Always,
+    /// Where the turning point of this operand is convex, or concave.
+    Turning { operand: usize, concave: bool },
+    /// Where both are convex, as far as a lower and an upper chain of each reach.
+    Convex,
+    /// Where the turning point of this operand alone is convex, as far as segments of these kinds reach.
+    While { operand: usize, kinds: [Kind; 2] },
+    /// Where both are concave and a crust runs along segments of this kind.
+    Along(Kind),
+}
+
+/// A row of the order table: the first kind is below the second.
+type Row = (Kind, Kind, When);
+
+/// The order table. Each row can be switched off.
+const TABLE: [Row; 19] = {
+    use Kind::{LowerCrust, LowerOfA, LowerOfB, UpperCrust, UpperOfA, UpperOfB};
+    [
+        (LowerCrust, LowerOfA, When::Always),
+        (LowerCrust, LowerOfB, When::Always),
+        (UpperOfA, UpperCrust, When::Always),
+        (UpperOfB, UpperCrust, When::Always),
+        (LowerOfA, UpperOfA, When::Turning { operand: 0, concave: false }),
+        (UpperOfA, LowerOfA, When::Turning { operand: 0, concave: true }),
+        (LowerOfB, UpperOfB, When::Turning { operand: 1, concave: false }),
+        (UpperOfB, LowerOfB, When::Turning { operand: 1, concave: true }),
+        (LowerCrust, UpperCrust, When::Convex),
+        (LowerCrust, UpperCrust, When::While { operand: 0, kinds: [LowerOfA, UpperOfA] }),
+        (LowerCrust, UpperOfA, When::While { operand: 0, kinds: [LowerOfA, LowerOfA] }),
+        (LowerOfA, UpperCrust, When::While { operand: 0, kinds: [UpperOfA, UpperOfA] }),
+        (LowerCrust, UpperCrust, When::While { operand: 1, kinds: [LowerOfB, UpperOfB] }),
+        (LowerCrust, UpperOfB, When::While { operand: 1, kinds: [LowerOfB, LowerOfB] }),
+        (LowerOfB, UpperCrust, When::While { operand: 1, kinds: [UpperOfB, UpperOfB] }),
+        (UpperOfA, LowerOfB, When::Along(UpperOfB)),
+        (UpperOfA, LowerOfB, When::Along(LowerOfA)),
+        (UpperOfB, LowerOfA, When::Along(UpperOfA)),
+        (UpperOfB, LowerOfA, When::Along(LowerOfB)),
+    ]
+};
+
+/// The number of rows of the order table.
+pub const ROWS: usize = TABLE.len();
+
+/// A pair of turning points.
+#[derive(Clone, Debug)]
+pub struct Group {
+    /// Whether the chains begin at them, from left to right.
+    pub left: bool,
+    /// Whether each is concave.
+    pub concave: [bool; 2],
+    /// The abscissa of their sum.
+    pub x: f64,
+    /// Where the segments of each kind end that begin there, by the order of [`Kind`].
+    pub ends: [f64; 6],
+    /// The same for the sum of the shorter chains of each operand.
+    pub common: f64,
+}
+
+/// A pair of turning points with its segments.
+#[derive(Clone, Debug)]
+struct Members {
+    group: Group,
+    pieces: Vec<u32>,
+    /// Where a crust runs along a moved chain.
+    along: Vec<(Kind, [f64; 2])>,
+}
+
+/// What a piece is at a pair of turning points.
+pub type Role = (u32, Kind);
+
+/// The order of the pieces of a convolution.
+#[derive(Clone, Debug, Default)]
+pub struct Order {
+    groups: Vec<Members>,
+    index: HashMap<[u32; 3], u32>,
+    roles: Vec<Vec<Role>>,
+    /// A row of the order table that is not used, for tests that show what it is good for.
+    pub without: Option<usize>,
+}
+
+impl Order {
+    /// The group with this key, made if it is new.
+    pub fn group(&mut self, key: [u32; 3], make: impl FnOnce() -> Group) -> u32 {
+        let next = self.groups.len() as u32;
+        let index = *self.index.entry(key).or_insert(next);
+        if index == next {
+            self.groups.push(Members { group: make(), pieces: Vec::new(), along: Vec::new() });
+        }
+        index
+    }
+
+    /// Gives the next piece its roles.
+    pub fn push(&mut self, roles: &[Role]) {
+        let piece = self.roles.len() as u32;
+        for (group, _) in roles {
+            self.groups[*group as usize].pieces.push(piece);
+        }
+        self.roles.push(roles.to_vec());
+    }
+
+    /// Notes that a crust runs along a moved chain of this kind between two abscissas.
+    pub fn cancel(&mut self, (group, kind): Role, range: [f64; 2]) {
+        self.groups[group as usize].along.push((kind, range));
+    }
+
+    /// What a piece is at the pairs of turning points that it belongs to.
+    #[must_use]
+    pub fn roles(&self, piece: u32) -> &[Role] {
+        self.roles.get(piece as usize).map_or(&[], Vec::as_slice)
+    }
+
+    /// The pieces with an end at the same sum of turning points as this one.
+    pub fn related(&self, piece: u32) -> impl Iterator<Item = u32> {
+        self.roles(piece).iter().flat_map(|(group, _)| self.groups[*group as usize].pieces.iter().copied())
+    }
+
+    /// Whether one curve is below another just right of an abscissa, up to which both are active.
+    #[must_use]
+    pub fn known(&self, f: &Curve, g: &Curve, x: f64) -> Known {
+        let vertical = f.is_vertical() || g.is_vertical();
+        let ends = |curve: &Curve| curve.end.x <= x && !curve.is_vertical();
+        let mut known = Known::NOTHING;
+        if ends(f) || ends(g) {
+            return known;
+        }
+        for (group, kind) in self.roles(f.piece) {
+            for (_, other) in self.roles(g.piece).iter().filter(|(same, _)| same == group) {
+                let here = self.groups[*group as usize].known([*kind, *other], x, vertical, self.without);
+                known.below = known.below.or(here.below);
+                known.until = known.until.min(here.until);
+            }
+        }
+        known
+    }
+}
+
+impl Members {
+    fn known(&self, [f, g]: [Kind; 2], x: f64, vertical: bool, without: Option<usize>) -> Known {
+        let mut known = Known::NOTHING;
+        for (row, (lower, upper, when)) in TABLE.iter().enumerate() {
+            let below = (*lower, *upper) == (f, g);
+            if Some(row) == without || !(below || (*lower, *upper) == (g, f)) {
+                continue;
+            }
+            for [from, to] in self.ranges(*when) {
+                let [from, to] = self.common([from, to], [f, g]);
+                // A vertical where some segment begins joins what comes before it with what comes after, and a rule
+                // speaks of the latter only. At the sum of the turning points all begin.
+                let begun = from < x || from == x && (self.group.left || !vertical);
+                if begun && x < to {
+                    known.below = Some(below);
+                }
+                for change in [from, from.next_up(), to] {
+                    if x < change && from < to {
+                        known.until = known.until.min(change);
+                    }
+                }
+            }
+        }
+        known
+    }
+
+    /// The abscissas at which a rule holds, as far as it knows.
+    fn ranges(&self, when: When) -> Vec<[f64; 2]> {
+        let Group { concave, common, ends, .. } = self.group;
+        let everywhere = [f64::NEG_INFINITY, f64::INFINITY];
+        match when {
+            When::Always => vec![everywhere],
+            When::Turning { operand, concave: kind } if concave[operand] == kind => vec![everywhere],
+            When::Convex if concave == [false; 2] => vec![self.up_to(common)],
+            When::While { operand, kinds } if !concave[operand] && concave[1 - operand] => {
+                vec![kinds.map(|kind| self.up_to(ends[kind as usize])).into_iter().fold(everywhere, both)]
+            }
+            When::Along(kind) if concave == [true; 2] => {
+                self.along.iter().filter(|(of, _)| *of == kind).map(|(_, range)| *range).collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// The part of a range in which segments of two kinds run.
+    fn common(&self, range: [f64; 2], kinds: [Kind; 2]) -> [f64; 2] {
+        kinds.map(|kind| self.up_to(self.group.ends[kind as usize])).into_iter().fold(range, both)
+    }
+
+    /// The abscissas between the sum of the turning points and another.
+    fn up_to(&self, end: f64) -> [f64; 2] {
+        if self.group.left { [self.group.x, end] } else { [end, self.group.x] }
+    }
+}
+
+/// What two ranges have in common.
+fn both(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0].max(b[0]), a[1].min(b[1])]
+}
