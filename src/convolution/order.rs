@@ -154,9 +154,15 @@ impl Order {
     #[must_use]
     pub fn known(&self, f: &Curve, g: &Curve, x: f64) -> Known {
         let vertical = f.is_vertical() || g.is_vertical();
-        let ends = |curve: &Curve| curve.end.x <= x && !curve.is_vertical();
+        // A vertical is compared only with what passes it: where two segments begin, end or jump at one abscissa, the rules
+        // speak of what comes before and of what comes after, not of what is between.
+        let silent = |curve: &Curve| match (vertical, curve.is_vertical()) {
+            (false, _) => curve.end.x <= x,
+            (true, false) => curve.start.x >= x || curve.end.x <= x,
+            (true, true) => f.is_vertical() && g.is_vertical(),
+        };
         let mut known = Known::NOTHING;
-        if ends(f) || ends(g) {
+        if silent(f) || silent(g) {
             return known;
         }
         for (group, kind) in self.roles(f.piece) {
