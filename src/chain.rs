@@ -7,6 +7,7 @@
 
 use crate::angle::Ang;
 use crate::smooth::{Kind, Seg, Smooth};
+use rustc_hash::FxHashMap as HashMap;
 
 /// A smoothed chain.
 #[derive(Clone, Debug)]
@@ -52,6 +53,8 @@ pub struct Chains {
     pub turnings: Vec<Turning>,
     /// For each chain the turning points at its left and at its right end.
     pub ends: Vec<[usize; 2]>,
+    of_segment: HashMap<(usize, usize), usize>,
+    of_vertex: HashMap<(u32, bool), usize>,
 }
 
 impl Chain {
@@ -79,6 +82,18 @@ impl Chains {
         all
     }
 
+    /// The chain of a segment, given by its loop and its place there.
+    #[must_use]
+    pub fn of_segment(&self, of_loop: usize, index: usize) -> Option<usize> {
+        self.of_segment.get(&(of_loop, index)).copied()
+    }
+
+    /// The upper or lower chain that passes or ends at a vertex.
+    #[must_use]
+    pub fn of_vertex(&self, vertex: u32, upper: bool) -> Option<usize> {
+        self.of_vertex.get(&(vertex, upper)).copied()
+    }
+
     fn add(&mut self, of_loop: usize, segs: &[Seg]) {
         let labels = labels(segs);
         let n = segs.len();
@@ -98,6 +113,10 @@ impl Chains {
                 run.pop();
             }
             let upper = labels[start] == Some(true);
+            for &i in &run {
+                self.of_segment.insert((of_loop, i), first + k);
+                self.of_vertex.extend([segs[i].tail, segs[i].head].map(|vertex| ((vertex, upper), first + k)));
+            }
             self.chains.push(Chain { of_loop, upper, links: smoothed(segs, &run, upper) });
             let after = first + (k + 1) % starts.len();
             self.turnings.push(turning(segs, end, upper, first + k, after));

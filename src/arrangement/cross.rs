@@ -78,8 +78,8 @@ pub trait CrossingModule {
         Known::NOTHING
     }
 
-    /// The pieces about whose order with this one something may be known.
-    fn related(&self, _piece: u32) -> Vec<u32> {
+    /// The pieces at an abscissa about whose order with this one something may be known.
+    fn related(&self, _piece: u32, _x: f64) -> Vec<u32> {
         Vec::new()
     }
 }

@@ -5,12 +5,12 @@
 //! in the envelope, however curvatures are rounded. Verticals close the envelope.
 
 use super::envelope::{Span, envelope};
-use super::kinetic::{Side, convolve};
 use super::part::part;
 use super::sums::{Summand, Sums, straight};
 use crate::arrangement::cross::CrossingModule;
 use crate::chain::Chain;
 use crate::piece::{Piece, Source};
+use glam::DVec2;
 
 /// The crust of two chains.
 #[derive(Clone, Debug, Default)]
@@ -22,23 +22,26 @@ pub struct Crust {
     pub closers: Vec<Piece>,
 }
 
-/// The crust of a chain of A and a chain of B of the same kind.
-pub fn crust<M: CrossingModule>(sums: &mut Sums, a: &Chain, b: &Chain, module: &M) -> Crust {
-    let first = sums.len();
-    convolve(sums, [Side::of_chain(a), Side::of_chain(b)]);
-    let upper = a.upper;
-    let mut forward = sums.take_from(first);
-    let points = sums.points();
-    forward.retain(|(piece, _)| {
-        let [tail, head] = [piece.tail, piece.head].map(|v| points[v as usize].x);
-        if upper { head < tail } else { tail < head }
-    });
-    let (pieces, summands): (Vec<Piece>, Vec<[Summand; 2]>) = forward.into_iter().unzip();
+/// Whether the computed ends of a sum of upper, or lower, chains run the way a crust does.
+pub fn runs_forward(points: &[DVec2], piece: &Piece, upper: bool) -> bool {
+    let [tail, head] = [piece.tail, piece.head].map(|v| points[v as usize].x);
+    if upper { head < tail } else { tail < head }
+}
+
+/// The crust of a chain of A and a chain of B of the same kind, from their sum segments that run forward.
+pub fn crust<M: CrossingModule>(
+    sums: &mut Sums,
+    [a, b]: [&Chain; 2],
+    forward: &[(Piece, [Summand; 2])],
+    module: &M,
+) -> Crust {
+    let (upper, points) = (a.upper, sums.points());
+    let pieces: Vec<Piece> = forward.iter().map(|(piece, _)| *piece).collect();
     let spans = envelope(points, &pieces, upper, module);
     let run = |left: u32, right: u32| if upper { (right, left) } else { (left, right) };
     let cut = |span: &Span| {
         let (tail, head) = run(span.left, span.right);
-        (part(points, &pieces[span.piece], tail, head), summands[span.piece])
+        (part(points, &pieces[span.piece], tail, head), forward[span.piece].1)
     };
     let cut = spans.iter().map(cut).collect();
     let (tail, head) = (sums.corner(a.tail(), b.tail()), sums.corner(a.head(), b.head()));

@@ -7,7 +7,7 @@
 
 use super::sums::{Placed, Sums};
 use crate::angle::Ang;
-use crate::chain::{Chain, Link};
+use crate::chain::{Chain, Chains, Link};
 use crate::smooth::{Kind, Smooth};
 
 /// What happens at an angle, in this order: the order is the tie rule.
@@ -53,12 +53,16 @@ impl<'a> Side<'a> {
         Self { segs: segs.collect() }
     }
 
-    /// Those of a smoothed chain.
-    pub fn of_chain(chain: &'a Chain) -> Self {
-        let of_loop = chain.of_loop as u32;
-        // A turn is found by its vertex, so those at the ends need no place.
-        let placed = |link: &'a Link| Placed { seg: &link.seg, of_loop, index: link.index.unwrap_or(0) as u32 };
-        Self { segs: chain.links.iter().map(placed).collect() }
+    /// Those of all smoothed chains of one kind.
+    pub fn of_chains(chains: &'a Chains, upper: bool) -> Self {
+        let links = |chain: &'a Chain| {
+            let of_loop = chain.of_loop as u32;
+            // A turn is found by its vertex, so those at the ends need no place.
+            let placed =
+                move |link: &'a Link| Placed { seg: &link.seg, of_loop, index: link.index.unwrap_or(0) as u32 };
+            chain.links.iter().map(placed)
+        };
+        Self { segs: chains.chains.iter().filter(|chain| chain.upper == upper).flat_map(links).collect() }
     }
 
     fn events(&self, operand: usize, events: &mut Vec<Event>) {

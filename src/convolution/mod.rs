@@ -48,6 +48,7 @@ pub fn monotonic(a: &Smooth, b: &Smooth, rounding: Rounding) -> Option<(Pieces, 
         Monotonic::new(sums, &mut order, filled, pair, &module).convolve();
         pair += 1;
     })?;
+    order.finish();
     Some((sums.finish(base), order))
 }
 

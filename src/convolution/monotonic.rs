@@ -6,23 +6,23 @@
 //! rule has made their overlap simply connected. The moved boundaries, T segments, run backwards (memo fact 8). Where a crust
 //! runs along one, the two cancel. That is known from what the pieces are sums of, never from coordinates.
 
-use super::crust::crust;
+use super::crust::{crust, runs_forward};
 use super::fill::Filled;
+use super::kinetic::{Side, convolve};
 use super::order::{Group, Kind, Order, Role};
 use super::part::part;
 use super::sums::{Placed, Summand, Sums};
 use crate::arrangement::cross::CrossingModule;
 use crate::chain::{Chain, Chains, Turning};
 use crate::piece::Piece;
-use crate::smooth::{Kind as SegKind, Smooth};
-use std::collections::HashMap;
+use crate::smooth::Kind as SegKind;
+use rustc_hash::FxHashMap as HashMap;
 
 /// The monotonic convolution of two components.
 pub struct Monotonic<'s, 'a, M> {
     sums: &'s mut Sums<'a>,
     order: &'s mut Order,
     module: &'s M,
-    regions: [&'a Smooth; 2],
     chains: [Chains; 2],
     /// Which pair of components this is.
     pair: u32,
@@ -35,18 +35,13 @@ impl<'s, 'a, M: CrossingModule> Monotonic<'s, 'a, M> {
     pub fn new(sums: &'s mut Sums<'a>, order: &'s mut Order, filled: &Filled, pair: u32, module: &'s M) -> Self {
         let (a, b) = sums.regions();
         let chains = [Chains::new(a, &filled.a), Chains::new(b, &filled.b)];
-        Self { sums, order, module, regions: [a, b], chains, pair, cancelled: HashMap::new() }
+        Self { sums, order, module, chains, pair, cancelled: HashMap::default() }
     }
 
     /// Adds their convolution.
     pub fn convolve(mut self) {
-        for i in 0..self.chains[0].chains.len() {
-            for j in 0..self.chains[1].chains.len() {
-                if self.chains[0].chains[i].upper == self.chains[1].chains[j].upper {
-                    self.crust(i, j);
-                }
-            }
-        }
+        self.crusts(true);
+        self.crusts(false);
         for operand in 0..2 {
             for turning in 0..self.chains[operand].turnings.len() {
                 if self.chains[operand].turnings[turning].concave {
@@ -56,10 +51,49 @@ impl<'s, 'a, M: CrossingModule> Monotonic<'s, 'a, M> {
         }
     }
 
+    /// Adds the crusts of all pairs of upper, or lower, chains.
+    fn crusts(&mut self, upper: bool) {
+        let first = self.sums.len();
+        self.sums.forward_only = true;
+        convolve(self.sums, self.chains.each_ref().map(|chains| Side::of_chains(chains, upper)));
+        self.sums.forward_only = false;
+        let mut forward = self.sums.take_from(first);
+        let points = self.sums.points();
+        forward.retain(|(piece, _)| runs_forward(points, piece, upper));
+        let pair = |summands: &[Summand; 2]| [0, 1].map(|operand| self.chain_of(operand, summands[operand], upper));
+        forward.sort_by_cached_key(|(_, summands)| pair(summands));
+        let mut groups = forward.chunk_by(|p, q| pair(&p.1) == pair(&q.1)).peekable();
+        let kind = |operand: usize| {
+            let chains = self.chains[operand].chains.iter().enumerate();
+            chains.filter(|(_, chain)| chain.upper == upper).map(|(i, _)| i).collect::<Vec<_>>()
+        };
+        let (all_a, all_b) = (kind(0), kind(1));
+        let mut crusts = Vec::new();
+        for &i in &all_a {
+            for &j in &all_b {
+                let own = groups.next_if(|group| pair(&group[0].1) == [i, j]);
+                crusts.push(([i, j], own.unwrap_or_default()));
+            }
+        }
+        for ([i, j], forward) in crusts {
+            self.crust(i, j, forward);
+        }
+    }
+
+    /// The chain of one kind that a summand belongs to.
+    fn chain_of(&self, operand: usize, summand: Summand, upper: bool) -> usize {
+        let chain = match summand {
+            Summand::Vertex(vertex) => self.chains[operand].of_vertex(vertex, upper),
+            Summand::Segment(of_loop, index) => self.chains[operand].of_segment(of_loop as usize, index as usize),
+        };
+        // Every summand has a chain.
+        chain.unwrap_or(usize::MAX)
+    }
+
     /// Adds the crust of two chains, but for what cancels.
-    fn crust(&mut self, i: usize, j: usize) {
+    fn crust(&mut self, i: usize, j: usize, forward: &[(Piece, [Summand; 2])]) {
         let (a, b) = (&self.chains[0].chains[i], &self.chains[1].chains[j]);
-        let crust = crust(self.sums, a, b, self.module);
+        let crust = crust(self.sums, [a, b], forward, self.module);
         let (upper, closer) = (a.upper, [Summand::Vertex(a.tail()), Summand::Vertex(b.tail())]);
         let kind = if upper { Kind::UpperCrust } else { Kind::LowerCrust };
         let roles = [true, false].map(|left| {
@@ -121,8 +155,9 @@ impl<'s, 'a, M: CrossingModule> Monotonic<'s, 'a, M> {
     }
 
     fn push(&mut self, piece: Piece, summands: [Summand; 2], roles: &[Role]) {
+        let [p, q] = [piece.tail, piece.head].map(|v| self.sums.points()[v as usize].x);
         self.sums.push(piece, summands);
-        self.order.push(roles);
+        self.order.push([p.min(q), p.max(q)], roles);
     }
 
     /// The turning point at an end of a chain.
@@ -133,27 +168,30 @@ impl<'s, 'a, M: CrossingModule> Monotonic<'s, 'a, M> {
     /// The pair of two turning points of one handedness.
     fn group(&mut self, turnings: [usize; 2]) -> u32 {
         let key = [self.pair, turnings[0] as u32, turnings[1] as u32];
-        let [p, q] = [0, 1].map(|operand| self.chains[operand].turnings[turnings[operand]]);
-        // The ends of the chains that are not at the turning points.
-        let far = |operand: usize, chain: usize| {
-            let chain = &self.chains[operand].chains[chain];
-            if chain.upper == p.left { chain.tail() } else { chain.head() }
-        };
-        let (a, b) = ([p.lower, p.upper].map(|c| far(0, c)), [q.lower, q.upper].map(|c| far(1, c)));
-        let shorter = |operand: usize, [u, v]: [u32; 2]| {
-            let x = |vertex: u32| self.regions[operand].points[vertex as usize].x;
-            if (x(u) < x(v)) == p.left { u } else { v }
-        };
-        let common = [shorter(0, a), shorter(1, b)];
-        let mut x = |p: u32, q: u32| {
-            let corner = self.sums.corner(p, q);
-            self.sums.points()[corner as usize].x
-        };
-        let ends =
-            [x(a[0], b[0]), x(a[1], b[1]), x(a[0], q.vertex), x(a[1], q.vertex), x(p.vertex, b[0]), x(p.vertex, b[1])];
-        let (common, x) = (x(common[0], common[1]), x(p.vertex, q.vertex));
-        self.order.group(key, || Group { left: p.left, concave: [p.concave, q.concave], x, ends, common })
+        let Self { chains, sums, .. } = self;
+        self.order.group(key, || group(sums, chains, turnings))
     }
+}
+
+/// What a pair of two turning points is like.
+fn group(sums: &Sums, chains: &[Chains; 2], turnings: [usize; 2]) -> Group {
+    let [p, q] = [0, 1].map(|operand| chains[operand].turnings[turnings[operand]]);
+    // The ends of the chains that are not at the turning points.
+    let far = |operand: usize, chain: usize| {
+        let chain = &chains[operand].chains[chain];
+        if chain.upper == p.left { chain.tail() } else { chain.head() }
+    };
+    let (a, b) = ([p.lower, p.upper].map(|c| far(0, c)), [q.lower, q.upper].map(|c| far(1, c)));
+    let shorter = |operand: usize, [u, v]: [u32; 2]| {
+        let x = |vertex: u32| sums.region(operand).points[vertex as usize].x;
+        if (x(u) < x(v)) == p.left { u } else { v }
+    };
+    let common = [shorter(0, a), shorter(1, b)];
+    let x = |p: u32, q: u32| sums.corner_point(p, q).x;
+    let ends =
+        [x(a[0], b[0]), x(a[1], b[1]), x(a[0], q.vertex), x(a[1], q.vertex), x(p.vertex, b[0]), x(p.vertex, b[1])];
+    let (concave, common) = ([p.concave, q.concave], x(common[0], common[1]));
+    Group { left: p.left, concave, x: x(p.vertex, q.vertex), ends, common }
 }
 
 /// The kind of a chain of one region moved by a turning point of the other.

@@ -11,7 +11,7 @@
 
 use crate::arrangement::curve::Curve;
 use crate::arrangement::known::Known;
-use std::collections::HashMap;
+use rustc_hash::FxHashMap as HashMap;
 
 /// A kind of segment at a pair of turning points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -96,7 +96,10 @@ pub struct Group {
 #[derive(Clone, Debug)]
 struct Members {
     group: Group,
-    pieces: Vec<u32>,
+    /// The pieces with the ranges of their abscissas, sorted by [`Order::finish`].
+    pieces: Vec<([f64; 2], u32)>,
+    /// The widest of these ranges.
+    widest: f64,
     /// Where a crust runs along a moved chain.
     along: Vec<(Kind, [f64; 2])>,
 }
@@ -109,7 +112,9 @@ pub type Role = (u32, Kind);
 pub struct Order {
     groups: Vec<Members>,
     index: HashMap<[u32; 3], u32>,
-    roles: Vec<Vec<Role>>,
+    roles: Vec<Role>,
+    /// Where the roles of each piece start.
+    starts: Vec<u32>,
     /// A row of the order table that is not used, for tests that show what it is good for.
     pub without: Option<usize>,
 }
@@ -120,18 +125,28 @@ impl Order {
         let next = self.groups.len() as u32;
         let index = *self.index.entry(key).or_insert(next);
         if index == next {
-            self.groups.push(Members { group: make(), pieces: Vec::new(), along: Vec::new() });
+            self.groups.push(Members { group: make(), pieces: Vec::new(), widest: 0.0, along: Vec::new() });
         }
         index
     }
 
-    /// Gives the next piece its roles.
-    pub fn push(&mut self, roles: &[Role]) {
-        let piece = self.roles.len() as u32;
+    /// Gives the next piece, between these abscissas, its roles.
+    pub fn push(&mut self, range: [f64; 2], roles: &[Role]) {
+        let piece = self.starts.len() as u32;
         for (group, _) in roles {
-            self.groups[*group as usize].pieces.push(piece);
+            let members = &mut self.groups[*group as usize];
+            members.pieces.push((range, piece));
+            members.widest = members.widest.max(range[1] - range[0]);
         }
-        self.roles.push(roles.to_vec());
+        self.starts.push(self.roles.len() as u32);
+        self.roles.extend_from_slice(roles);
+    }
+
+    /// Makes the order ready for questions.
+    pub fn finish(&mut self) {
+        for members in &mut self.groups {
+            members.pieces.sort_unstable_by(|p, q| p.0[0].total_cmp(&q.0[0]).then(p.1.cmp(&q.1)));
+        }
     }
 
     /// Notes that a crust runs along a moved chain of this kind between two abscissas.
@@ -142,12 +157,18 @@ impl Order {
     /// What a piece is at the pairs of turning points that it belongs to.
     #[must_use]
     pub fn roles(&self, piece: u32) -> &[Role] {
-        self.roles.get(piece as usize).map_or(&[], Vec::as_slice)
+        let start = |i: usize| self.starts.get(i).map_or(self.roles.len(), |start| *start as usize);
+        &self.roles[start(piece as usize)..start(piece as usize + 1)]
     }
 
-    /// The pieces with an end at the same sum of turning points as this one.
-    pub fn related(&self, piece: u32) -> impl Iterator<Item = u32> {
-        self.roles(piece).iter().flat_map(|(group, _)| self.groups[*group as usize].pieces.iter().copied())
+    /// The pieces at this abscissa with an end at the same sum of turning points as this one.
+    pub fn related(&self, piece: u32, x: f64) -> impl Iterator<Item = u32> {
+        self.roles(piece).iter().flat_map(move |(group, _)| {
+            let Members { pieces, widest, .. } = &self.groups[*group as usize];
+            let first = pieces.partition_point(|(range, _)| range[0] < x - widest);
+            let near = pieces[first..].iter().take_while(move |(range, _)| range[0] <= x);
+            near.filter(move |(range, _)| x <= range[1]).map(|(_, piece)| *piece)
+        })
     }
 
     /// Whether one curve is below another just right of an abscissa, up to which both are active.
@@ -184,39 +205,38 @@ impl Members {
             if Some(row) == without || !(below || (*lower, *upper) == (g, f)) {
                 continue;
             }
-            for [from, to] in self.ranges(*when) {
-                let [from, to] = self.common([from, to], [f, g]);
-                // A vertical where some segment begins joins what comes before it with what comes after, and a rule
-                // speaks of the latter only. At the sum of the turning points all begin.
-                let begun = from < x || from == x && (self.group.left || !vertical);
-                if begun && x < to {
-                    known.below = Some(below);
-                }
-                for change in [from, from.next_up(), to] {
-                    if x < change && from < to {
-                        known.until = known.until.min(change);
-                    }
+            let Some(range) = self.range(*when, x) else { continue };
+            let [from, to] = self.common(range, [f, g]);
+            // A vertical where some segment begins joins what comes before it with what comes after, and a rule speaks of
+            // the latter only. At the sum of the turning points all begin.
+            let begun = from < x || from == x && (self.group.left || !vertical);
+            if begun && x < to {
+                known.below = Some(below);
+            }
+            for change in [from, from.next_up(), to] {
+                if x < change && from < to {
+                    known.until = known.until.min(change);
                 }
             }
         }
         known
     }
 
-    /// The abscissas at which a rule holds, as far as it knows.
-    fn ranges(&self, when: When) -> Vec<[f64; 2]> {
+    /// The abscissas at which a rule holds, as far as it knows: of several ranges the first that is not over yet.
+    fn range(&self, when: When, x: f64) -> Option<[f64; 2]> {
         let Group { concave, common, ends, .. } = self.group;
         let everywhere = [f64::NEG_INFINITY, f64::INFINITY];
         match when {
-            When::Always => vec![everywhere],
-            When::Turning { operand, concave: kind } if concave[operand] == kind => vec![everywhere],
-            When::Convex if concave == [false; 2] => vec![self.up_to(common)],
-            When::While { operand, kinds } if !concave[operand] && concave[1 - operand] => {
-                vec![kinds.map(|kind| self.up_to(ends[kind as usize])).into_iter().fold(everywhere, both)]
+            When::Always => Some(everywhere),
+            When::Turning { operand, concave: kind } => (concave[operand] == kind).then_some(everywhere),
+            When::Convex => (concave == [false; 2]).then(|| self.up_to(common)),
+            When::While { operand, kinds } => (!concave[operand] && concave[1 - operand])
+                .then(|| kinds.map(|kind| self.up_to(ends[kind as usize])).into_iter().fold(everywhere, both)),
+            When::Along(kind) => {
+                let ranges =
+                    self.along.iter().filter(|(of, range)| *of == kind && x < range[1]).map(|(_, range)| *range);
+                ranges.min_by(|r, s| r[0].total_cmp(&s[0])).filter(|_| concave == [true; 2])
             }
-            When::Along(kind) if concave == [true; 2] => {
-                self.along.iter().filter(|(of, _)| *of == kind).map(|(_, range)| *range).collect()
-            }
-            _ => Vec::new(),
         }
     }
 

@@ -32,7 +32,7 @@ impl<M: CrossingModule> CrossingModule for Ordered<'_, M> {
         self.order.known(f, g, x)
     }
 
-    fn related(&self, piece: u32) -> Vec<u32> {
-        self.order.related(piece).collect()
+    fn related(&self, piece: u32, x: f64) -> Vec<u32> {
+        self.order.related(piece, x).collect()
     }
 }

@@ -7,7 +7,8 @@ use crate::piece::{Piece, Pieces, Source};
 use crate::smooth::{Kind, Seg, Smooth};
 use crate::sum3::Rounding;
 use glam::DVec2;
-use std::collections::{BTreeSet, HashMap};
+use rustc_hash::FxHashMap as HashMap;
+use std::collections::BTreeSet;
 
 /// Sums of radii up to this, in the unit box, make lines: the circle is no larger than a few roundings.
 const TINY_RADIUS: f64 = 8.0 * f64::EPSILON;
@@ -62,6 +63,8 @@ pub struct Sums<'a> {
     edges: [u32; 2],
     pieces: Pieces,
     summands: Vec<[Summand; 2]>,
+    /// Whether to leave out what cannot run forward on a crust: sums of lines, or of arcs and turns, with concave ones.
+    pub forward_only: bool,
 }
 
 /// What a piece is the sum of.
@@ -78,8 +81,8 @@ impl<'a> Sums<'a> {
     #[must_use]
     pub fn new(a: &'a Smooth, b: &'a Smooth, rounding: Rounding) -> Self {
         let edges = [a, b].map(|s| s.loops.iter().flat_map(|l| &l.segs).map(|s| s.edge + 1).max().unwrap_or(0));
-        let (vertices, pieces, summands) = (HashMap::new(), Pieces::default(), Vec::new());
-        Self { a, b, rounding, vertices, edges, pieces, summands }
+        let (vertices, pieces, summands) = (HashMap::default(), Pieces::default(), Vec::new());
+        Self { a, b, rounding, vertices, edges, pieces, summands, forward_only: false }
     }
 
     /// The two regions.
@@ -108,6 +111,18 @@ impl<'a> Sums<'a> {
     /// The vertices of the pieces.
     pub fn points(&mut self) -> &mut Vec<DVec2> {
         &mut self.pieces.points
+    }
+
+    /// One of the two regions.
+    #[must_use]
+    pub fn region(&self, operand: usize) -> &'a Smooth {
+        [self.a, self.b][operand]
+    }
+
+    /// Where the sum of two vertices is.
+    #[must_use]
+    pub fn corner_point(&self, p: u32, q: u32) -> DVec2 {
+        self.rounding.sum_points(self.a.points[p as usize], DVec2::ZERO, self.b.points[q as usize])
     }
 
     /// The vertex that is the sum of two vertices.
@@ -150,6 +165,9 @@ impl<'a> Sums<'a> {
 
     /// Adds a line of A and an arc or turn of B that has its angle.
     pub fn line_of_a(&mut self, line: Placed, other: Placed) {
+        if self.forward_only && other.seg.delta < 0.0 {
+            return;
+        }
         let site = site(other, line.seg.a);
         let ends = [line.seg.tail, line.seg.head].map(|v| self.vertex(Site::Vertex(v), site));
         self.line(ends, line, other.seg.delta, [line, other]);
@@ -157,6 +175,9 @@ impl<'a> Sums<'a> {
 
     /// Adds a line of B and an arc or turn of A that has its angle.
     pub fn line_of_b(&mut self, line: Placed, other: Placed) {
+        if self.forward_only && other.seg.delta < 0.0 {
+            return;
+        }
         let site = site(other, line.seg.a);
         let ends = [line.seg.tail, line.seg.head].map(|v| self.vertex(site, Site::Vertex(v)));
         self.line(ends, line, other.seg.delta, [other, line]);
@@ -175,6 +196,10 @@ impl<'a> Sums<'a> {
     /// Adds a curved segment of A and one of B over their shared angles, counter-clockwise from `low` to `high`.
     /// At most one of them is a turn.
     pub fn curved(&mut self, x: Placed, y: Placed, low: Ang, high: Ang) {
+        let is_concave_turn = |placed: &Placed| placed.seg.kind == Kind::Turn && placed.seg.delta < 0.0;
+        if self.forward_only && (is_concave_turn(&x) || is_concave_turn(&y)) {
+            return;
+        }
         let [from, to] = [low, high].map(|angle| self.vertex(site(x, angle), site(y, angle)));
         let radius = x.seg.r + y.seg.r;
         if radius.abs() <= TINY_RADIUS {

@@ -89,7 +89,7 @@ impl<M: CrossingModule> Sweep<'_, M> {
     fn bounds(&self, starting: &[u32]) -> [Place; 2] {
         let mut bounds = [NOWHERE; 2];
         for &new in starting {
-            for piece in self.module.related(self.curves[new as usize].piece) {
+            for piece in self.module.related(self.curves[new as usize].piece, self.now.x) {
                 let place = self.status.place(self.curve_of[piece as usize]);
                 if place == NOWHERE {
                     continue;
