@@ -7,7 +7,6 @@
 
 use crate::angle::Ang;
 use crate::smooth::{Kind, Seg, Smooth};
-use rustc_hash::FxHashMap as HashMap;
 
 /// A smoothed chain.
 #[derive(Clone, Debug)]
@@ -53,9 +52,13 @@ pub struct Chains {
     pub turnings: Vec<Turning>,
     /// For each chain the turning points at its left and at its right end.
     pub ends: Vec<[usize; 2]>,
-    of_segment: HashMap<(usize, usize), usize>,
-    of_vertex: HashMap<(u32, bool), usize>,
+    /// The chain of each segment of each loop, and the lower and the upper chain of each vertex.
+    of_segment: Vec<Vec<usize>>,
+    of_vertex: Vec<[usize; 2]>,
 }
+
+/// No chain.
+const NONE: usize = usize::MAX;
 
 impl Chain {
     /// The first vertex.
@@ -75,8 +78,13 @@ impl Chains {
     /// The chains of these loops of a region.
     #[must_use]
     pub fn new(region: &Smooth, loops: &[usize]) -> Self {
-        let mut all = Self::default();
+        let mut all = Self {
+            of_segment: vec![Vec::new(); region.loops.len()],
+            of_vertex: vec![[NONE; 2]; region.points.len()],
+            ..Self::default()
+        };
         for &of_loop in loops {
+            all.of_segment[of_loop] = vec![NONE; region.loops[of_loop].segs.len()];
             all.add(of_loop, &region.loops[of_loop].segs);
         }
         all
@@ -85,13 +93,13 @@ impl Chains {
     /// The chain of a segment, given by its loop and its place there.
     #[must_use]
     pub fn of_segment(&self, of_loop: usize, index: usize) -> Option<usize> {
-        self.of_segment.get(&(of_loop, index)).copied()
+        self.of_segment[of_loop].get(index).copied().filter(|chain| *chain != NONE)
     }
 
     /// The upper or lower chain that passes or ends at a vertex.
     #[must_use]
     pub fn of_vertex(&self, vertex: u32, upper: bool) -> Option<usize> {
-        self.of_vertex.get(&(vertex, upper)).copied()
+        Some(self.of_vertex[vertex as usize][usize::from(upper)]).filter(|chain| *chain != NONE)
     }
 
     fn add(&mut self, of_loop: usize, segs: &[Seg]) {
@@ -114,8 +122,10 @@ impl Chains {
             }
             let upper = labels[start] == Some(true);
             for &i in &run {
-                self.of_segment.insert((of_loop, i), first + k);
-                self.of_vertex.extend([segs[i].tail, segs[i].head].map(|vertex| ((vertex, upper), first + k)));
+                self.of_segment[of_loop][i] = first + k;
+                for vertex in [segs[i].tail, segs[i].head] {
+                    self.of_vertex[vertex as usize][usize::from(upper)] = first + k;
+                }
             }
             self.chains.push(Chain { of_loop, upper, links: smoothed(segs, &run, upper) });
             let after = first + (k + 1) % starts.len();

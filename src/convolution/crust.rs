@@ -32,16 +32,16 @@ pub fn runs_forward(points: &[DVec2], piece: &Piece, upper: bool) -> bool {
 pub fn crust<M: CrossingModule>(
     sums: &mut Sums,
     [a, b]: [&Chain; 2],
-    forward: &[(Piece, [Summand; 2])],
+    forward: &[&(Piece, [Summand; 2])],
     module: &M,
 ) -> Crust {
     let (upper, points) = (a.upper, sums.points());
-    let pieces: Vec<Piece> = forward.iter().map(|(piece, _)| *piece).collect();
+    let pieces: Vec<&Piece> = forward.iter().map(|(piece, _)| piece).collect();
     let spans = envelope(points, &pieces, upper, module);
     let run = |left: u32, right: u32| if upper { (right, left) } else { (left, right) };
     let cut = |span: &Span| {
         let (tail, head) = run(span.left, span.right);
-        (part(points, &pieces[span.piece], tail, head), forward[span.piece].1)
+        (part(points, pieces[span.piece], tail, head), forward[span.piece].1)
     };
     let cut = spans.iter().map(cut).collect();
     let (tail, head) = (sums.corner(a.tail(), b.tail()), sums.corner(a.head(), b.head()));

@@ -22,16 +22,17 @@ pub struct Span {
 
 /// The upper or lower envelope of pieces none of which is vertical, from left to right. Vertices are added where pieces are
 /// cut. Where there is no piece there is no span.
-pub fn envelope<M: CrossingModule>(points: &mut Vec<DVec2>, pieces: &[Piece], upper: bool, module: &M) -> Vec<Span> {
+pub fn envelope<M: CrossingModule>(points: &mut Vec<DVec2>, pieces: &[&Piece], upper: bool, module: &M) -> Vec<Span> {
+    let mut rows = rows(points, pieces);
+    if rows.len() < 2 {
+        return rows.pop().unwrap_or_default();
+    }
     let end = |v: u32, points: &[DVec2]| (v, points[v as usize]);
-    let curve = |(i, p): (usize, &Piece)| {
+    let curve = |(i, p): (usize, &&Piece)| {
         let whole = p.whole.map(|v| points[v as usize]);
         Curve::new(i as u32, p, end(p.tail, points), end(p.head, points), whole)
     };
     let curves: Vec<Option<Curve>> = pieces.iter().enumerate().map(curve).collect();
-    let whole =
-        |(i, c): (usize, &Option<Curve>)| c.as_ref().map(|c| vec![Span { piece: i, left: c.first, right: c.last }]);
-    let mut rows: Vec<Vec<Span>> = curves.iter().enumerate().filter_map(whole).collect();
     while rows.len() > 1 {
         let merged = rows.chunks(2).map(|pair| match pair {
             [first, second] => Merge { points, curves: &curves, upper, module, parts: Vec::new() }.run(first, second),
@@ -40,6 +41,25 @@ pub fn envelope<M: CrossingModule>(points: &mut Vec<DVec2>, pieces: &[Piece], up
         rows = merged.collect();
     }
     rows.pop().unwrap_or_default()
+}
+
+/// The pieces in as few rows as can be, each from left to right without overlap.
+fn rows(points: &[DVec2], pieces: &[&Piece]) -> Vec<Vec<Span>> {
+    let x = |vertex: u32| points[vertex as usize].x;
+    let span = |(piece, p): (usize, &&Piece)| {
+        let (left, right) = if x(p.tail) < x(p.head) { (p.tail, p.head) } else { (p.head, p.tail) };
+        Span { piece, left, right }
+    };
+    let mut spans: Vec<Span> = pieces.iter().enumerate().map(span).collect();
+    spans.sort_by(|s, t| x(s.left).total_cmp(&x(t.left)));
+    let mut rows: Vec<Vec<Span>> = Vec::new();
+    for span in spans {
+        match rows.iter_mut().find(|row| row.last().is_none_or(|last| x(last.right) <= x(span.left))) {
+            Some(row) => row.push(span),
+            None => rows.push(vec![span]),
+        }
+    }
+    rows
 }
 
 /// Where a part ends.

@@ -61,22 +61,23 @@ impl<'s, 'a, M: CrossingModule> Monotonic<'s, 'a, M> {
         let points = self.sums.points();
         forward.retain(|(piece, _)| runs_forward(points, piece, upper));
         let pair = |summands: &[Summand; 2]| [0, 1].map(|operand| self.chain_of(operand, summands[operand], upper));
-        forward.sort_by_cached_key(|(_, summands)| pair(summands));
-        let mut groups = forward.chunk_by(|p, q| pair(&p.1) == pair(&q.1)).peekable();
+        let mut keyed: Vec<_> = forward.iter().enumerate().map(|(k, (_, summands))| (pair(summands), k)).collect();
+        keyed.sort_unstable();
         let kind = |operand: usize| {
             let chains = self.chains[operand].chains.iter().enumerate();
             chains.filter(|(_, chain)| chain.upper == upper).map(|(i, _)| i).collect::<Vec<_>>()
         };
         let (all_a, all_b) = (kind(0), kind(1));
-        let mut crusts = Vec::new();
+        let mut rest = keyed.as_slice();
+        let mut own = Vec::new();
         for &i in &all_a {
             for &j in &all_b {
-                let own = groups.next_if(|group| pair(&group[0].1) == [i, j]);
-                crusts.push(([i, j], own.unwrap_or_default()));
+                let (these, others) = rest.split_at(rest.partition_point(|(key, _)| *key <= [i, j]));
+                rest = others;
+                own.clear();
+                own.extend(these.iter().map(|(_, k)| &forward[*k]));
+                self.crust(i, j, &own);
             }
-        }
-        for ([i, j], forward) in crusts {
-            self.crust(i, j, forward);
         }
     }
 
@@ -91,7 +92,7 @@ impl<'s, 'a, M: CrossingModule> Monotonic<'s, 'a, M> {
     }
 
     /// Adds the crust of two chains, but for what cancels.
-    fn crust(&mut self, i: usize, j: usize, forward: &[(Piece, [Summand; 2])]) {
+    fn crust(&mut self, i: usize, j: usize, forward: &[&(Piece, [Summand; 2])]) {
         let (a, b) = (&self.chains[0].chains[i], &self.chains[1].chains[j]);
         let crust = crust(self.sums, [a, b], forward, self.module);
         let (upper, closer) = (a.upper, [Summand::Vertex(a.tail()), Summand::Vertex(b.tail())]);
