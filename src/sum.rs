@@ -90,7 +90,7 @@ pub fn sum(a: &Region, b: &Region, options: &Options) -> Result<Sum, SumError> {
     let convolved = Instant::now();
     let arrangement = match &order {
         None => arrange(&convolution),
-        Some(order) => arrange_with(&convolution, &Ordered { module: module(&convolution), order }),
+        Some(order) => arrange_with(&convolution, &Ordered::new(module(&convolution), order)),
     };
     let arranged = Instant::now();
     let loops = outline(&arrangement, &convolution, |w| w[0] != 0);

@@ -78,6 +78,11 @@ pub trait CrossingModule {
         Known::NOTHING
     }
 
+    /// The same where one of the curves begins.
+    fn placed(&self, _f: &Curve, _g: &Curve, _x: f64) -> Option<bool> {
+        None
+    }
+
     /// The pieces at an abscissa about whose order with this one something may be known.
     fn related(&self, _piece: u32, _x: f64) -> Vec<u32> {
         Vec::new()

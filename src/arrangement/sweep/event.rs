@@ -3,7 +3,6 @@
 use super::Sweep;
 use crate::arrangement::cross::{CrossingModule, Crossings};
 use crate::arrangement::curve::compare;
-use crate::arrangement::known::Known;
 use crate::arrangement::moment::Moment;
 use crate::arrangement::status::{DOWN, NOWHERE, Place, UP};
 use glam::DVec2;
@@ -108,11 +107,6 @@ impl<M: CrossingModule> Sweep<'_, M> {
             None if below => Ok(()),
             None => Err(place),
         }
-    }
-
-    /// What is known about the order of two curves just after the current event.
-    pub(super) fn known(&self, f: u32, g: u32) -> Known {
-        self.module.known(&self.curves[f as usize], &self.curves[g as usize], self.now.x)
     }
 
     /// The moment of a crossing, moved into the time when both curves are active.

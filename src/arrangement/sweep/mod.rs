@@ -14,6 +14,7 @@ mod event;
 mod gap;
 mod strangers;
 mod swap;
+mod trust;
 mod vertex;
 
 use super::audit::Audit;

@@ -53,7 +53,7 @@ impl<M: CrossingModule> Sweep<'_, M> {
     /// Moves curves below those that they are known to be below.
     fn sort_by_knowledge(&self, starting: &mut [u32]) {
         for i in 1..starting.len() {
-            let lowest = (0..i).find(|&j| self.known(starting[j], starting[i]).below == Some(false));
+            let lowest = (0..i).find(|&j| self.placed(starting[j], starting[i]) == Some(false));
             if let Some(lowest) = lowest {
                 starting[lowest..=i].rotate_right(1);
             }
@@ -94,7 +94,7 @@ impl<M: CrossingModule> Sweep<'_, M> {
                 if place == NOWHERE {
                     continue;
                 }
-                let Some(below) = self.known(self.status.curve(place), new).below else { continue };
+                let Some(below) = self.placed(self.status.curve(place), new) else { continue };
                 let (side, further) = if below { (DOWN, Ordering::Less) } else { (UP, Ordering::Greater) };
                 if bounds[side] == NOWHERE || self.status.compare(bounds[side], place) == further {
                     bounds[side] = place;

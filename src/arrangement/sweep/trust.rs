@@ -1,0 +1,52 @@
+//! What is known about the order of curves, as far as geometry bears it out (MS 7.1; memo E6).
+//!
+//! Knowledge decides where rounding has brought curves out of order, by a few roundings. It speaks of ordinates at one
+//! abscissa, and a line may rise by much within one rounding of x, so that its vertical error is large although it is in its
+//! place. Where knowledge would put a curve on the wrong side by more than [`TRUST`], it is not used.
+
+use super::Sweep;
+use crate::arrangement::cross::CrossingModule;
+use crate::arrangement::curve::Curve;
+use crate::arrangement::known::Known;
+use glam::DVec2;
+
+/// How far beyond another curve one may be and still be put before it: 256 eps per unit of size, many times what rounding
+/// does to curves of the unit box, and less than what is measured as an error.
+const TRUST: f64 = 256.0 / 4.0;
+
+impl<M: CrossingModule> Sweep<'_, M> {
+    /// What is known about the order of two curves just after the current event.
+    pub(super) fn known(&self, f: u32, g: u32) -> Known {
+        let known = self.module.known(&self.curves[f as usize], &self.curves[g as usize], self.now.x);
+        Known { below: known.below.filter(|below| self.is_borne_out(*below, f, g)), ..known }
+    }
+
+    /// What is known about where to put a curve that begins, relative to another.
+    pub(super) fn placed(&self, f: u32, g: u32) -> Option<bool> {
+        let below = self.module.placed(&self.curves[f as usize], &self.curves[g as usize], self.now.x)?;
+        self.is_borne_out(below, f, g).then_some(below)
+    }
+
+    /// Whether one curve is below another, or not above it by more than roundings, from here to where the first of them ends.
+    fn is_borne_out(&self, below: bool, f: u32, g: u32) -> bool {
+        let (lower, upper) = if below { (f, g) } else { (g, f) };
+        let (lower, upper) = (&self.curves[lower as usize], &self.curves[upper as usize]);
+        self.excess(lower, upper) <= TRUST * self.module.tolerance()
+    }
+
+    /// How far the first curve is above the second from here on, by distance.
+    fn excess(&self, lower: &Curve, upper: &Curve) -> f64 {
+        if lower.is_vertical() {
+            return upper.side(lower.end);
+        }
+        if upper.is_vertical() {
+            return -lower.side(upper.start);
+        }
+        let (from, to) = (self.now.x, lower.end.x.min(upper.end.x));
+        let at = |x: f64| {
+            let on = |curve: &Curve| DVec2::new(x, curve.y_at(x.clamp(curve.left.x, curve.right.x)));
+            upper.side(on(lower)).max(-lower.side(on(upper)))
+        };
+        at(from).max(at(0.5 * (from + to))).max(at(to))
+    }
+}
