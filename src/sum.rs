@@ -1,13 +1,13 @@
 //! The approximate Minkowski sum: normalise, convolve, arrange, extract (MS 4, with the kinetic convolution).
 
-use crate::arrangement::{Arrangement, arrange};
-use crate::convolution::{kinetic, monotonic};
+use crate::arrangement::{Arrangement, arrange_by};
+use crate::convolution::{kinetic_by, monotonic_by};
 use crate::extract::{outline, region};
 use crate::frame::Frame;
 use crate::piece::{Piece, Pieces};
 use crate::region::Region;
+use crate::robustness::Robustness;
 use crate::smooth::{Smooth, SmoothError};
-use crate::sum3::Rounding;
 use std::time::{Duration, Instant};
 
 /// Which convolution a sum is extracted from.
@@ -25,8 +25,8 @@ pub enum Convolution {
 pub struct Options {
     /// The convolution.
     pub convolution: Convolution,
-    /// How the end points of sum segments are rounded.
-    pub rounding: Rounding,
+    /// The robustness steps that are taken.
+    pub robustness: Robustness,
 }
 
 /// Time of each stage.
@@ -75,18 +75,19 @@ pub enum SumError {
 pub fn sum(a: &Region, b: &Region, options: &Options) -> Result<Sum, SumError> {
     let start = Instant::now();
     let frames = Frame::pair(a, b);
-    let smooth =
-        |region, frame, operand| Smooth::new(region, frame).map_err(|reason| SumError::Operand { operand, reason });
+    let smooth = |region, frame, operand| {
+        Smooth::by(region, frame, options.robustness).map_err(|reason| SumError::Operand { operand, reason })
+    };
     let (smooth_a, smooth_b) = (smooth(a, &frames.0, 'A')?, smooth(b, &frames.1, 'B')?);
     let convolve = match options.convolution {
-        Convolution::Kinetic => kinetic,
-        Convolution::Monotonic => monotonic,
+        Convolution::Kinetic => kinetic_by,
+        Convolution::Monotonic => monotonic_by,
     };
-    let pieces = convolve(&smooth_a, &smooth_b, options.rounding);
+    let pieces = convolve(&smooth_a, &smooth_b, options.robustness);
     let plane = pieces.is_none();
     let convolution = pieces.unwrap_or_else(|| Pieces { base: [1, 0], ..Pieces::default() });
     let convolved = Instant::now();
-    let arrangement = arrange(&convolution);
+    let arrangement = arrange_by(&convolution, options.robustness);
     let arranged = Instant::now();
     let loops = outline(&arrangement, &convolution, |w| w[0] != 0);
     let region = region(&loops, convolution.base[0] != 0 || plane, |p| frames.0.sum_to_input(&frames.1, p));

@@ -11,15 +11,18 @@ pub mod graph;
 mod meet;
 pub mod moment;
 mod pair;
+pub mod plain;
 pub mod status;
 mod sweep;
 pub mod trapezoid;
 mod vertices;
 
 use crate::piece::Pieces;
+use crate::robustness::{Robustness, Step};
 use audit::Audit;
 use cross::{CrossingModule, FloatModule};
 use graph::Graph;
+use plain::PlainModule;
 use sweep::Sweep;
 use trapezoid::Trapezoid;
 
@@ -44,7 +47,22 @@ pub fn arrange(pieces: &Pieces) -> Arrangement {
 /// Arranges pieces with any crossing module.
 #[must_use]
 pub fn arrange_with<M: CrossingModule>(pieces: &Pieces, module: &M) -> Arrangement {
-    let (graph, trapezoids, audit) = Sweep::new(pieces, module).run();
+    swept(pieces, module, Robustness::ALL)
+}
+
+/// Arranges pieces with these robustness steps only (MS 8.3). Without all of them the map may be inconsistent: Euler's
+/// formula and the winding numbers show it.
+#[must_use]
+pub fn arrange_by(pieces: &Pieces, robustness: Robustness) -> Arrangement {
+    if robustness.takes(Step::Crossings) {
+        swept(pieces, &FloatModule::new(extent(pieces)), robustness)
+    } else {
+        swept(pieces, &PlainModule, robustness)
+    }
+}
+
+fn swept<M: CrossingModule>(pieces: &Pieces, module: &M, robustness: Robustness) -> Arrangement {
+    let (graph, trapezoids, audit) = Sweep::new(pieces, module, robustness).run();
     Arrangement { graph, trapezoids, audit }
 }
 

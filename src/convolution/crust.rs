@@ -8,9 +8,11 @@ use super::envelope::{Span, envelope};
 use super::kinetic::{Side, convolve};
 use super::part::part;
 use super::sums::{Summand, Sums, straight};
+use crate::angle::Ang;
 use crate::arrangement::cross::CrossingModule;
 use crate::chain::Chain;
 use crate::piece::{Piece, Source};
+use glam::DVec2;
 
 /// The crust of two chains.
 #[derive(Clone, Debug, Default)]
@@ -22,17 +24,40 @@ pub struct Crust {
     pub closers: Vec<Piece>,
 }
 
+/// Which sums of chains count as convexly compatible.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rule {
+    /// Those whose computed ends run the way of the chains (MS 6).
+    Ends,
+    /// Those of segments whose curvatures add up to no negative number (MS 5.1).
+    Curvature,
+}
+
+impl Rule {
+    fn takes(self, piece: &Piece, points: &[DVec2], upper: bool) -> bool {
+        let [tail, head] = [piece.tail, piece.head].map(|v| points[v as usize].x);
+        match self {
+            Self::Ends if upper => head < tail,
+            Self::Ends => tail < head,
+            // The curvatures show in the normals: where they add up to less than 0, the sum has been turned around (memo B1).
+            Self::Curvature => [piece.a, piece.b].iter().any(|normal| faces(*normal, upper)),
+        }
+    }
+}
+
+/// Whether a normal points up, or else down.
+fn faces(normal: Ang, up: bool) -> bool {
+    if up { Ang::RIGHT < normal && normal < Ang::LEFT } else { normal > Ang::LEFT }
+}
+
 /// The crust of a chain of A and a chain of B of the same kind.
-pub fn crust<M: CrossingModule>(sums: &mut Sums, a: &Chain, b: &Chain, module: &M) -> Crust {
+pub fn crust<M: CrossingModule>(sums: &mut Sums, [a, b]: [&Chain; 2], rule: Rule, module: &M) -> Crust {
     let first = sums.len();
     convolve(sums, [Side::of_chain(a), Side::of_chain(b)]);
     let upper = a.upper;
     let mut forward = sums.take_from(first);
     let points = sums.points();
-    forward.retain(|(piece, _)| {
-        let [tail, head] = [piece.tail, piece.head].map(|v| points[v as usize].x);
-        if upper { head < tail } else { tail < head }
-    });
+    forward.retain(|(piece, _)| rule.takes(piece, points, upper));
     let (pieces, summands): (Vec<Piece>, Vec<[Summand; 2]>) = forward.into_iter().unzip();
     let spans = envelope(points, &pieces, upper, module);
     let run = |left: u32, right: u32| if upper { (right, left) } else { (left, right) };

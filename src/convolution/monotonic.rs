@@ -6,7 +6,7 @@
 //! rule has made their overlap simply connected. The moved boundaries, T segments, run backwards (memo fact 8). Where a crust
 //! runs along one, the two cancel. That is known from what the pieces are sums of, never from coordinates.
 
-use super::crust::crust;
+use super::crust::{Rule, crust};
 use super::fill::Filled;
 use super::part::part;
 use super::sums::{Placed, Summand, Sums};
@@ -17,7 +17,7 @@ use crate::smooth::{Kind, Smooth};
 use std::collections::{HashMap, HashSet};
 
 /// Adds the monotonic convolution of two components.
-pub fn convolve<M: CrossingModule>(sums: &mut Sums, a: &Smooth, b: &Smooth, filled: &Filled, module: &M) {
+pub fn convolve<M: CrossingModule>(sums: &mut Sums, [a, b]: [&Smooth; 2], filled: &Filled, rule: Rule, module: &M) {
     let chains = [Chains::new(a, &filled.a), Chains::new(b, &filled.b)];
     let concave = chains
         .each_ref()
@@ -26,7 +26,7 @@ pub fn convolve<M: CrossingModule>(sums: &mut Sums, a: &Smooth, b: &Smooth, fill
     let mut cancelled: HashMap<[Summand; 2], Vec<[u32; 2]>> = HashMap::new();
     for x in &chains[0].chains {
         for y in chains[1].chains.iter().filter(|y| y.upper == x.upper) {
-            let crust = crust(sums, x, y, module);
+            let crust = crust(sums, [x, y], rule, module);
             for (piece, summands) in crust.pieces {
                 let on = |side: usize| matches!(summands[side], Summand::Vertex(v) if concave[side].contains(&v));
                 if on(0) || on(1) {

@@ -12,6 +12,7 @@
 mod bundle;
 mod event;
 mod gap;
+mod left;
 mod strangers;
 mod swap;
 mod vertex;
@@ -26,6 +27,7 @@ use super::status::Status;
 use super::trapezoid::Trapezoid;
 use super::vertices::Vertices;
 use crate::piece::Pieces;
+use crate::robustness::Robustness;
 use event::Event;
 use glam::DVec2;
 use std::cmp::Reverse;
@@ -34,6 +36,7 @@ use std::collections::BinaryHeap;
 /// The running sweep.
 pub(super) struct Sweep<'m, M> {
     module: &'m M,
+    robustness: Robustness,
     curves: Vec<Curve>,
     vertices: Vertices,
     status: Status,
@@ -60,11 +63,12 @@ pub(super) struct Sweep<'m, M> {
 
 impl<'m, M: CrossingModule> Sweep<'m, M> {
     /// The sweep before its first event.
-    pub(super) fn new(pieces: &Pieces, module: &'m M) -> Self {
+    pub(super) fn new(pieces: &Pieces, module: &'m M, robustness: Robustness) -> Self {
         let (vertices, curves) = Vertices::new(pieces);
         let audit = Audit { curves: curves.len(), ..Audit::default() };
         Self {
             module,
+            robustness,
             edge_of: vec![u32::MAX; curves.len()],
             is_ending: vec![false; curves.len()],
             curves,
