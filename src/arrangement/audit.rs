@@ -14,7 +14,7 @@ pub struct Audit {
     /// Swaps that brought the curves ending at a vertex together.
     pub gather: usize,
     /// Curves taken out beyond strangers; 0 unless gathering is left out.
-    pub left: usize,
+    pub apart: usize,
     /// Lines cut at a vertex that lies on them exactly.
     pub cut: usize,
     /// Coinciding curves merged into one of net weight.

@@ -217,6 +217,8 @@ impl Pair<'_> {
 
     /// Intersections of the two lines or circles that lie in the common part, sorted. At a shared end the curves meet but
     /// do not cross, so the root nearest to it is left out.
+    // Inlined as if it had one caller: each pair of curves comes through here.
+    #[inline(always)]
     pub(super) fn candidates(&self, joined: bool, meeting: bool) -> ([DVec2; 2], usize) {
         let (mut roots, mut count) = meet(self.f, self.g);
         let shared = match (joined, meeting) {
@@ -244,6 +246,7 @@ impl Pair<'_> {
     }
 
     /// The candidate moved into the box of the common part, unless it lies clearly outside.
+    #[inline(always)]
     fn in_common_part(&self, p: DVec2) -> Option<DVec2> {
         let (f, g) = (self.f.y_range(), self.g.y_range());
         let low = DVec2::new(self.start().x, f.0.max(g.0));

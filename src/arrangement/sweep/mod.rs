@@ -9,10 +9,10 @@
 //! Lines that pass exactly through a vertex are cut there, and coinciding lines are merged with their net weight, so that
 //! integer input gives the exact map.
 
+mod apart;
 mod bundle;
 mod event;
 mod gap;
-mod left;
 mod strangers;
 mod swap;
 mod vertex;

@@ -11,8 +11,6 @@ use std::cmp::Ordering;
 struct Block {
     places: Vec<Place>,
     below: Place,
-    /// Places of ending curves elsewhere: none if strangers have been swapped out.
-    left: Vec<Place>,
 }
 
 impl<M: CrossingModule> Sweep<'_, M> {
@@ -37,13 +35,15 @@ impl<M: CrossingModule> Sweep<'_, M> {
             self.gather(&mut ending)
         };
         let block = self.absorb(&mut around, &mut ending);
-        let loose = self.neighbours_of(&block.left);
+        let apart = block.places.len() < ending.len();
         self.cut(&ending, vertex, &mut starting);
         self.sort_by_direction(&mut starting);
         self.merge(&mut starting);
         self.replace(block, &starting);
+        if apart {
+            self.take_out(&ending);
+        }
         self.restore_between(around);
-        self.restore(loose.into_iter().filter(|place| self.is_held(*place)).collect());
     }
 
     /// Sorts curves that start at the current vertex upwards; ties by index.
@@ -76,7 +76,7 @@ impl<M: CrossingModule> Sweep<'_, M> {
     /// Adds the lines next to the block that pass through the point to those that end. Moves `around` out of the block.
     fn absorb(&self, around: &mut [Place; 2], ending: &mut Vec<u32>) -> Block {
         let Some(&any) = ending.first() else {
-            return Block { places: Vec::new(), below: around[DOWN], left: Vec::new() };
+            return Block { places: Vec::new(), below: around[DOWN] };
         };
         let mut places = vec![self.status.place(any)];
         for side in [UP, DOWN] {
@@ -95,8 +95,7 @@ impl<M: CrossingModule> Sweep<'_, M> {
             }
         }
         let below = self.status.near(places[0], DOWN);
-        let left = self.left_out(ending, &places);
-        Block { places, below, left }
+        Block { places, below }
     }
 
     fn joins(&self, place: Place, ending: &mut Vec<u32>) -> bool {
@@ -113,13 +112,12 @@ impl<M: CrossingModule> Sweep<'_, M> {
 
     /// Takes the block's curves out and puts the starting ones in, at a new vertex.
     fn replace(&mut self, block: Block, starting: &[u32]) {
-        let Block { mut places, below, left } = block;
+        let Block { mut places, below } = block;
         if places.is_empty() && starting.is_empty() {
             return;
         }
         self.close_gap(below);
         self.graph.begin_vertex(self.now);
-        self.take_out(&left);
         for &place in places.iter().rev() {
             self.close_gap(place);
             self.graph.close(self.edge_of[self.status.curve(place) as usize]);
