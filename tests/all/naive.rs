@@ -177,6 +177,31 @@ fn rounding_twice_costs_accuracy() {
     assert!(errors("kinetic", &a, &b)[1] < errors("kinetic-without-rounding", &a, &b)[0]);
 }
 
+/// And when angles are stored in radians.
+#[test]
+fn radians_cost_accuracy() {
+    let line = Node::line;
+    let bent = |x, y, bulge| Node { x, y, curve: Curve::Bulge(bulge) };
+    let a = vec![
+        line(2.0, 0.0),
+        bent(0.0, 1.0, -0.04391138642142923),
+        bent(-2.0, 1.0, -0.44783299768964324),
+        bent(-1.0, -1.0, 0.012542739911734439),
+        line(0.0, -1.0),
+        bent(1.0, -1.0, 0.15721434416648591),
+    ];
+    let b = vec![
+        line(2.0, 0.0),
+        line(1.0, 1.0),
+        bent(0.0, 3.0, -0.04295230178225536),
+        bent(-2.0, 2.0, -0.5407776381494546),
+        line(-1.0, 0.0),
+        bent(0.0, -2.0, -0.6768022320424962),
+    ];
+    let [a, b] = [a, b].map(|nodes| Region { loops: vec![nodes], ..Region::default() });
+    assert!(errors("kinetic", &a, &b)[1] < errors("kinetic-without-angles", &a, &b)[0]);
+}
+
 proptest! {
     #![proptest_config(cases(1500))]
 

@@ -49,3 +49,27 @@ pub fn facts(name: &str) -> Result<Facts, NoSuchEngine> {
     let engine = engine(name)?;
     Ok(Facts { name: engine.name().to_owned(), version: engine.version(), abilities: engine.abilities() })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use arcsum::robustness::Step;
+
+    #[test]
+    fn engines_answer_to_their_names() {
+        let steps = Step::ALL.map(|(_, step)| format!("monotonic-without-{step}"));
+        for name in BUILT_IN.iter().chain(NAIVE).map(|name| (*name).to_owned()).chain(steps) {
+            assert_eq!(facts(&name).unwrap().name, name);
+        }
+    }
+
+    #[test]
+    fn others_are_refused() {
+        for name in
+            ["", "naive", "naive-", "naive-kinetic-without-gather", "kinetic-without-", "kinetic-without-x", "cmd:"]
+        {
+            let refusal = engine(name).err().unwrap().to_string();
+            assert!(refusal.contains("naive-monotonic") && refusal.contains("late-swaps"), "{refusal}");
+        }
+    }
+}
