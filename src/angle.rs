@@ -157,7 +157,14 @@ impl Ang {
         DVec2::new(c, s)
     }
 
-    /// The angle in radians in [0, 2 pi], for display only.
+    /// What is left of this angle when it is stored in radians in [0, 2 pi] (memo fact 4): the baseline without the offsets.
+    /// Axes stay, and the order of angles, but different ones may become equal.
+    #[must_use]
+    pub fn rounded_to_radians(self) -> Self {
+        Self::canonical(i32::from(self.k), self.radians() - f64::from(self.k) * FRAC_PI_2)
+    }
+
+    /// The angle in radians in [0, 2 pi].
     #[must_use]
     pub fn radians(self) -> f64 {
         f64::from(self.k) * FRAC_PI_2 + self.off

@@ -10,6 +10,7 @@ use crate::frame::Frame;
 use crate::joint::{self, Edge};
 use crate::piece::{Piece, Source};
 use crate::region::{Node, Region};
+use crate::robustness::{Robustness, Step};
 use crate::smooth::{Counts, Kind, Seg, SmoothError};
 use glam::DVec2;
 
@@ -36,6 +37,14 @@ impl Boundary {
     /// # Errors
     /// [`SmoothError`] if an edge has no geometry, a loop has fewer than two, or the region is too large.
     pub fn new(region: &Region, frame: &Frame) -> Result<Self, SmoothError> {
+        Self::by(region, frame, Robustness::ALL)
+    }
+
+    /// The same with these robustness steps only (MS 8.3), of which angles and joints matter here.
+    ///
+    /// # Errors
+    /// As [`Boundary::new`].
+    pub fn by(region: &Region, frame: &Frame, robustness: Robustness) -> Result<Self, SmoothError> {
         if region.segments() > MAX_EDGES {
             return Err(SmoothError::TooLarge);
         }
@@ -44,7 +53,7 @@ impl Boundary {
         }
         let point = |n: &Node| frame.to_unit(DVec2::new(n.x, n.y));
         let points = region.loops.iter().flatten().map(point).collect();
-        let mut builder = Builder { points, counts: Counts::default() };
+        let mut builder = Builder { points, counts: Counts::default(), robustness };
         let (mut loops, mut first) = (Vec::new(), 0);
         for (index, nodes) in region.loops.iter().enumerate() {
             loops.push(builder.segs(nodes, frame, first).map_err(|fault| fault.in_loop(index))?);
@@ -90,6 +99,7 @@ impl Fault {
 struct Builder {
     points: Vec<DVec2>,
     counts: Counts,
+    robustness: Robustness,
 }
 
 impl Builder {
@@ -101,12 +111,14 @@ impl Builder {
         let mut edges = Vec::with_capacity(nodes.len());
         for (i, node) in nodes.iter().enumerate() {
             let next = &nodes[(i + 1) % nodes.len()];
-            let (edge, secant) = joint::edge(node, next, frame).map_err(|reason| Fault::Edge(i, reason))?;
+            let (edge, secant) =
+                joint::edge(node, next, frame, self.robustness).map_err(|reason| Fault::Edge(i, reason))?;
             self.counts.secants += u32::from(secant);
             self.counts.modification2 += u32::from(is_bent_to_axis(&edge));
             edges.push(edge);
         }
-        self.counts.snapped += joint::join(&mut edges);
+        let snapping = self.robustness.takes(Step::Joints);
+        self.counts.snapped += if snapping { joint::join(&mut edges) } else { 0 };
         let mut segs = Vec::with_capacity(nodes.len());
         for (i, edge) in edges.iter().enumerate() {
             let next = (i + 1) % nodes.len();
@@ -125,7 +137,8 @@ impl Builder {
             }
             Edge::Arc { arc, r } => (arc, r),
         };
-        let ends = self.stations(&arc, edge.tolerance(), [tail, head]);
+        let tolerance = if self.robustness.takes(Step::Joints) { edge.tolerance() } else { 0.0 };
+        let ends = self.stations(&arc, tolerance, [tail, head]);
         for pair in ends.windows(2) {
             let ((a, from), (b, to)) = (pair[0], pair[1]);
             if from != to {

@@ -10,6 +10,7 @@ use crate::angle::Ang;
 use crate::arc::{Arc, ArcError, radius_of_bulge};
 use crate::frame::Frame;
 use crate::region::{Curve, Node};
+use crate::robustness::{Robustness, Step};
 use glam::DVec2;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -25,7 +26,7 @@ pub(crate) enum Edge {
 }
 
 /// An edge, and whether it was given as an arc but is a line in angles (memo A4, modification 1).
-pub(crate) fn edge(from: &Node, to: &Node, frame: &Frame) -> Result<(Edge, bool), ArcError> {
+pub(crate) fn edge(from: &Node, to: &Node, frame: &Frame, robustness: Robustness) -> Result<(Edge, bool), ArcError> {
     let (tail, head) = (frame.to_unit(DVec2::new(from.x, from.y)), frame.to_unit(DVec2::new(to.x, to.y)));
     let (arc, r) = match from.curve {
         Curve::Radius(r) if r != 0.0 => {
@@ -33,17 +34,23 @@ pub(crate) fn edge(from: &Node, to: &Node, frame: &Frame) -> Result<(Edge, bool)
             (Arc::with_radius(tail, head, r)?, r)
         }
         Curve::Bulge(b) if b != 0.0 => (Arc::with_bulge(tail, head, b)?, radius_of_bulge(tail, head, b)?),
-        _ => return Ok((line(tail, head)?, false)),
+        _ => return Ok((line(tail, head, robustness)?, false)),
+    };
+    let arc = if robustness.takes(Step::Angles) {
+        arc
+    } else {
+        arc.turned(arc.a().rounded_to_radians(), arc.b().rounded_to_radians())
     };
     if (arc.a() == arc.b() && arc.delta().abs() <= FRAC_PI_2) || !r.is_finite() {
-        return Ok((line(tail, head)?, true));
+        return Ok((line(tail, head, robustness)?, true));
     }
     Ok((Edge::Arc { arc, r }, false))
 }
 
-fn line(tail: DVec2, head: DVec2) -> Result<Edge, ArcError> {
+fn line(tail: DVec2, head: DVec2, robustness: Robustness) -> Result<Edge, ArcError> {
     let finite = tail.is_finite() && head.is_finite() && (head - tail).is_finite();
     let angle = Ang::of_line(tail, head).ok_or(if finite { ArcError::ZeroChord } else { ArcError::NotFinite })?;
+    let angle = if robustness.takes(Step::Angles) { angle } else { angle.rounded_to_radians() };
     Ok(Edge::Line { tail, head, angle })
 }
 

@@ -21,6 +21,7 @@ mod joint;
 mod nesting;
 pub mod piece;
 pub mod region;
+pub mod robustness;
 mod size;
 pub mod smooth;
 pub mod sum;

@@ -10,6 +10,7 @@ use crate::boundary::{Boundary, MAX_EXPONENT};
 use crate::frame::Frame;
 use crate::nesting;
 use crate::region::Region;
+use crate::robustness::Robustness;
 use crate::turn::{Bend, turn};
 use glam::DVec2;
 
@@ -147,7 +148,15 @@ impl Smooth {
     /// [`SmoothError`] if the region is degenerate beyond what can be smoothed. That none is returned does not make the
     /// region valid: crossings between edges go unnoticed.
     pub fn new(region: &Region, frame: &Frame) -> Result<Self, SmoothError> {
-        let Boundary { points, loops: boundary, counts } = Boundary::new(region, frame)?;
+        Self::by(region, frame, Robustness::ALL)
+    }
+
+    /// The same with these robustness steps only (MS 8.3), of which angles and joints matter here.
+    ///
+    /// # Errors
+    /// As [`Smooth::new`].
+    pub fn by(region: &Region, frame: &Frame, robustness: Robustness) -> Result<Self, SmoothError> {
+        let Boundary { points, loops: boundary, counts } = Boundary::by(region, frame, robustness)?;
         let (mut loops, mut outer, mut first) = (Vec::new(), Vec::new(), 0);
         for (index, segs) in boundary.iter().enumerate() {
             let segs =

@@ -1,14 +1,13 @@
 //! The approximate Minkowski sum: normalise, convolve, arrange, extract (MS 4, with the kinetic convolution).
 
-use crate::arrangement::{Arrangement, arrange, arrange_with, module};
-use crate::convolution::ordered::Ordered;
-use crate::convolution::{kinetic, monotonic};
+use crate::arrangement::{Arrangement, arrange_by};
+use crate::convolution::{kinetic_by, monotonic_by, ordered};
 use crate::extract::{outline, region};
 use crate::frame::Frame;
 use crate::piece::{Piece, Pieces};
 use crate::region::Region;
+use crate::robustness::Robustness;
 use crate::smooth::{Smooth, SmoothError};
-use crate::sum3::Rounding;
 use std::time::{Duration, Instant};
 
 /// Which convolution a sum is extracted from.
@@ -26,8 +25,8 @@ pub enum Convolution {
 pub struct Options {
     /// The convolution.
     pub convolution: Convolution,
-    /// How the end points of sum segments are rounded.
-    pub rounding: Rounding,
+    /// The robustness steps that are taken.
+    pub robustness: Robustness,
 }
 
 /// Time of each stage.
@@ -76,21 +75,22 @@ pub enum SumError {
 pub fn sum(a: &Region, b: &Region, options: &Options) -> Result<Sum, SumError> {
     let start = Instant::now();
     let frames = Frame::pair(a, b);
-    let smooth =
-        |region, frame, operand| Smooth::new(region, frame).map_err(|reason| SumError::Operand { operand, reason });
+    let smooth = |region, frame, operand| {
+        Smooth::by(region, frame, options.robustness).map_err(|reason| SumError::Operand { operand, reason })
+    };
     let (smooth_a, smooth_b) = (smooth(a, &frames.0, 'A')?, smooth(b, &frames.1, 'B')?);
     let pieces = match options.convolution {
-        Convolution::Kinetic => kinetic(&smooth_a, &smooth_b, options.rounding).map(|pieces| (pieces, None)),
+        Convolution::Kinetic => kinetic_by(&smooth_a, &smooth_b, options.robustness).map(|pieces| (pieces, None)),
         Convolution::Monotonic => {
-            monotonic(&smooth_a, &smooth_b, options.rounding).map(|(pieces, order)| (pieces, Some(order)))
+            monotonic_by(&smooth_a, &smooth_b, options.robustness).map(|(pieces, order)| (pieces, Some(order)))
         }
     };
     let plane = pieces.is_none();
     let (convolution, order) = pieces.unwrap_or_else(|| (Pieces { base: [1, 0], ..Pieces::default() }, None));
     let convolved = Instant::now();
     let arrangement = match &order {
-        None => arrange(&convolution),
-        Some(order) => arrange_with(&convolution, &Ordered::new(module(&convolution), order)),
+        None => arrange_by(&convolution, options.robustness),
+        Some(order) => ordered::arrange(&convolution, order, options.robustness),
     };
     let arranged = Instant::now();
     let loops = outline(&arrangement, &convolution, |w| w[0] != 0);

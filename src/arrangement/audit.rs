@@ -17,6 +17,8 @@ pub struct Audit {
     pub cancelled: usize,
     /// Gather swaps against an order that is known.
     pub order_conflict: usize,
+    /// Curves taken out beyond strangers; 0 unless gathering is left out.
+    pub apart: usize,
     /// Lines cut at a vertex that lies on them exactly.
     pub cut: usize,
     /// Coinciding curves merged into one of net weight.

@@ -105,13 +105,10 @@ impl FloatModule {
 
 impl CrossingModule for FloatModule {
     fn cross(&self, f: &Curve, g: &Curve) -> Crossings {
-        if f.first != g.first && f.last != g.last {
-            let ((f_low, f_high), (g_low, g_high)) = (f.y_range(), g.y_range());
-            if f_high < g_low || g_high < f_low {
-                return Crossings::none(f_high < g_low);
-            }
+        match boxes_apart(f, g) {
+            Some(below) => Crossings::none(below),
+            None => Pair { f, g, tolerance: self.tolerance }.crossings(),
         }
-        Pair { f, g, tolerance: self.tolerance }.crossings()
     }
 
     fn above(&self, p: DVec2, curve: &Curve) -> f64 {
@@ -121,4 +118,13 @@ impl CrossingModule for FloatModule {
     fn tolerance(&self) -> f64 {
         self.tolerance
     }
+}
+
+/// Whether f is below g, if that shows in their ordinates and they share no end.
+pub(super) fn boxes_apart(f: &Curve, g: &Curve) -> Option<bool> {
+    if f.first == g.first || f.last == g.last {
+        return None;
+    }
+    let ((f_low, f_high), (g_low, g_high)) = (f.y_range(), g.y_range());
+    (f_high < g_low || g_high < f_low).then_some(f_high < g_low)
 }

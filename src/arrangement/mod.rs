@@ -12,15 +12,18 @@ pub mod known;
 mod meet;
 pub mod moment;
 mod pair;
+pub mod plain;
 pub mod status;
 mod sweep;
 pub mod trapezoid;
 mod vertices;
 
 use crate::piece::Pieces;
+use crate::robustness::{Robustness, Step};
 use audit::Audit;
 use cross::{CrossingModule, FloatModule};
 use graph::Graph;
+use plain::PlainModule;
 use sweep::Sweep;
 use trapezoid::Trapezoid;
 
@@ -51,7 +54,23 @@ pub fn module(pieces: &Pieces) -> FloatModule {
 /// Arranges pieces with any crossing module.
 #[must_use]
 pub fn arrange_with<M: CrossingModule>(pieces: &Pieces, module: &M) -> Arrangement {
-    let (graph, trapezoids, audit) = Sweep::new(pieces, module).run();
+    swept(pieces, module, Robustness::ALL)
+}
+
+/// Arranges pieces with these robustness steps only (MS 8.3). Without all of them the map may be inconsistent: Euler's
+/// formula and the winding numbers show it.
+#[must_use]
+pub fn arrange_by(pieces: &Pieces, robustness: Robustness) -> Arrangement {
+    if robustness.takes(Step::Crossings) {
+        swept(pieces, &module(pieces), robustness)
+    } else {
+        swept(pieces, &PlainModule, robustness)
+    }
+}
+
+/// Arranges pieces with any crossing module and these robustness steps.
+pub(crate) fn swept<M: CrossingModule>(pieces: &Pieces, module: &M, robustness: Robustness) -> Arrangement {
+    let (graph, trapezoids, audit) = Sweep::new(pieces, module, robustness).run();
     Arrangement { graph, trapezoids, audit }
 }
 

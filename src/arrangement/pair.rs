@@ -18,8 +18,8 @@ pub(super) struct Pair<'a> {
 
 impl Pair<'_> {
     pub(super) fn crossings(&self) -> Crossings {
-        let (joined, meeting) = (self.f.first == self.g.first, self.f.last == self.g.last);
-        if (joined || meeting) && self.f.is_line() && self.g.is_line() || joined && meeting {
+        let (joined, meeting) = self.shared();
+        if self.cannot_cross(joined, meeting) {
             return Crossings::none(self.order_at_shared(joined));
         }
         if self.f.is_line() && self.g.is_line() && (self.f.is_steep_line() || self.g.is_steep_line()) {
@@ -32,6 +32,16 @@ impl Pair<'_> {
             return Crossings::at(start < 0, &[self.moment(self.bisect(start))]);
         }
         self.changes(self.signs(candidates, start, end), candidates)
+    }
+
+    /// Whether the curves share their starts and their ends.
+    pub(super) fn shared(&self) -> (bool, bool) {
+        (self.f.first == self.g.first, self.f.last == self.g.last)
+    }
+
+    /// Whether the shared ends leave no crossing.
+    pub(super) fn cannot_cross(&self, joined: bool, meeting: bool) -> bool {
+        (joined || meeting) && self.f.is_line() && self.g.is_line() || joined && meeting
     }
 
     /// Lines of which one is steep. Their difference in y is linear, and known at both ends of the common part to a few eps,
@@ -82,7 +92,7 @@ impl Pair<'_> {
     }
 
     /// Order of curves that share an end and cannot cross: by direction there. Equal directions fall back on the index.
-    fn order_at_shared(&self, joined: bool) -> bool {
+    pub(super) fn order_at_shared(&self, joined: bool) -> bool {
         let order = if joined { order_at_start(self.f, self.g) } else { order_at_end(self.f, self.g) };
         order != Ordering::Greater
     }
@@ -144,7 +154,7 @@ impl Pair<'_> {
     }
 
     /// How far f is above g, vertically, at the start of the common part.
-    fn gap_at_start(&self) -> f64 {
+    pub(super) fn gap_at_start(&self) -> f64 {
         if compare(self.f.start, self.g.start).is_ge() {
             self.g.above(self.f.start)
         } else {
@@ -207,7 +217,9 @@ impl Pair<'_> {
 
     /// Intersections of the two lines or circles that lie in the common part, sorted. At a shared end the curves meet but
     /// do not cross, so the root nearest to it is left out.
-    fn candidates(&self, joined: bool, meeting: bool) -> ([DVec2; 2], usize) {
+    // Inlined as if it had one caller: each pair of curves comes through here.
+    #[inline(always)]
+    pub(super) fn candidates(&self, joined: bool, meeting: bool) -> ([DVec2; 2], usize) {
         let (mut roots, mut count) = meet(self.f, self.g);
         let shared = match (joined, meeting) {
             (true, _) => Some(self.start()),
@@ -234,6 +246,7 @@ impl Pair<'_> {
     }
 
     /// The candidate moved into the box of the common part, unless it lies clearly outside.
+    #[inline(always)]
     fn in_common_part(&self, p: DVec2) -> Option<DVec2> {
         let (f, g) = (self.f.y_range(), self.g.y_range());
         let low = DVec2::new(self.start().x, f.0.max(g.0));

@@ -7,6 +7,7 @@
 use super::envelope::{Span, envelope};
 use super::part::part;
 use super::sums::{Summand, Sums, straight};
+use crate::angle::Ang;
 use crate::arrangement::cross::CrossingModule;
 use crate::chain::Chain;
 use crate::piece::{Piece, Source};
@@ -22,10 +23,31 @@ pub struct Crust {
     pub closers: Vec<Piece>,
 }
 
-/// Whether the computed ends of a sum of upper, or lower, chains run the way a crust does.
-pub fn runs_forward(points: &[DVec2], piece: &Piece, upper: bool) -> bool {
-    let [tail, head] = [piece.tail, piece.head].map(|v| points[v as usize].x);
-    if upper { head < tail } else { tail < head }
+/// Which sums of chains count as convexly compatible.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rule {
+    /// Those whose computed ends run the way of the chains (MS 6).
+    Ends,
+    /// Those of segments whose curvatures add up to no negative number (MS 5.1).
+    Curvature,
+}
+
+impl Rule {
+    /// Whether a sum of upper, or lower, chains counts.
+    pub fn takes(self, piece: &Piece, points: &[DVec2], upper: bool) -> bool {
+        let [tail, head] = [piece.tail, piece.head].map(|v| points[v as usize].x);
+        match self {
+            Self::Ends if upper => head < tail,
+            Self::Ends => tail < head,
+            // The curvatures show in the normals: where they add up to less than 0, the sum has been turned around (memo B1).
+            Self::Curvature => [piece.a, piece.b].iter().any(|normal| faces(*normal, upper)),
+        }
+    }
+}
+
+/// Whether a normal points up, or else down.
+fn faces(normal: Ang, up: bool) -> bool {
+    if up { Ang::RIGHT < normal && normal < Ang::LEFT } else { normal > Ang::LEFT }
 }
 
 /// The crust of a chain of A and a chain of B of the same kind, from their sum segments that run forward.

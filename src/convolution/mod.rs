@@ -11,10 +11,13 @@ mod part;
 mod sums;
 
 use crate::angle::Ang;
-use crate::arrangement::cross::FloatModule;
+use crate::arrangement::cross::{CrossingModule, FloatModule};
+use crate::arrangement::plain::PlainModule;
 use crate::piece::Pieces;
+use crate::robustness::{Robustness, Step};
 use crate::smooth::Smooth;
 use crate::sum3::Rounding;
+use crust::Rule;
 use fill::{Filled, PairSum, fill};
 use kinetic::Side;
 use monotonic::Monotonic;
@@ -42,10 +45,37 @@ pub fn kinetic(a: &Smooth, b: &Smooth, rounding: Rounding) -> Option<Pieces> {
 /// The monotonic convolution, likewise, and the order of its pieces.
 #[must_use]
 pub fn monotonic(a: &Smooth, b: &Smooth, rounding: Rounding) -> Option<(Pieces, Order)> {
-    let module = FloatModule::new(EXTENT);
+    crusts_and_boundaries(a, b, rounding, Rule::Ends, &FloatModule::new(EXTENT))
+}
+
+/// The kinetic convolution with these robustness steps only (MS 8.3).
+#[must_use]
+pub fn kinetic_by(a: &Smooth, b: &Smooth, robustness: Robustness) -> Option<Pieces> {
+    kinetic(a, b, robustness.rounding())
+}
+
+/// The monotonic convolution with these robustness steps only. Without [`Step::Forward`] it may have gaps, closed by lines
+/// that are not vertical.
+#[must_use]
+pub fn monotonic_by(a: &Smooth, b: &Smooth, robustness: Robustness) -> Option<(Pieces, Order)> {
+    let rule = if robustness.takes(Step::Forward) { Rule::Ends } else { Rule::Curvature };
+    if robustness.takes(Step::Crossings) {
+        crusts_and_boundaries(a, b, robustness.rounding(), rule, &FloatModule::new(EXTENT))
+    } else {
+        crusts_and_boundaries(a, b, robustness.rounding(), rule, &PlainModule)
+    }
+}
+
+fn crusts_and_boundaries<M: CrossingModule>(
+    a: &Smooth,
+    b: &Smooth,
+    rounding: Rounding,
+    rule: Rule,
+    module: &M,
+) -> Option<(Pieces, Order)> {
     let (mut order, mut pair) = (Order::default(), 0);
     let (sums, base) = collect(a, b, rounding, |sums, filled| {
-        Monotonic::new(sums, &mut order, filled, pair, &module).convolve();
+        Monotonic::new(sums, &mut order, filled, pair, (rule, module)).convolve();
         pair += 1;
     })?;
     order.finish();

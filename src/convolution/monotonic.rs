@@ -6,7 +6,7 @@
 //! rule has made their overlap simply connected. The moved boundaries, T segments, run backwards (memo fact 8). Where a crust
 //! runs along one, the two cancel. That is known from what the pieces are sums of, never from coordinates.
 
-use super::crust::{crust, runs_forward};
+use super::crust::{Rule, crust};
 use super::fill::Filled;
 use super::kinetic::{Side, convolve};
 use super::order::{Group, Kind, Order, Role};
@@ -22,6 +22,7 @@ use rustc_hash::FxHashMap as HashMap;
 pub struct Monotonic<'s, 'a, M> {
     sums: &'s mut Sums<'a>,
     order: &'s mut Order,
+    rule: Rule,
     module: &'s M,
     chains: [Chains; 2],
     /// Which pair of components this is.
@@ -32,10 +33,16 @@ pub struct Monotonic<'s, 'a, M> {
 
 impl<'s, 'a, M: CrossingModule> Monotonic<'s, 'a, M> {
     /// Makes ready for two components.
-    pub fn new(sums: &'s mut Sums<'a>, order: &'s mut Order, filled: &Filled, pair: u32, module: &'s M) -> Self {
+    pub fn new(
+        sums: &'s mut Sums<'a>,
+        order: &'s mut Order,
+        filled: &Filled,
+        pair: u32,
+        (rule, module): (Rule, &'s M),
+    ) -> Self {
         let (a, b) = sums.regions();
         let chains = [Chains::new(a, &filled.a), Chains::new(b, &filled.b)];
-        Self { sums, order, module, chains, pair, cancelled: HashMap::default() }
+        Self { sums, order, rule, module, chains, pair, cancelled: HashMap::default() }
     }
 
     /// Adds their convolution.
@@ -59,7 +66,7 @@ impl<'s, 'a, M: CrossingModule> Monotonic<'s, 'a, M> {
         self.sums.forward_only = false;
         let mut forward = self.sums.take_from(first);
         let points = self.sums.points();
-        forward.retain(|(piece, _)| runs_forward(points, piece, upper));
+        forward.retain(|(piece, _)| self.rule.takes(piece, points, upper));
         let pair = |summands: &[Summand; 2]| [0, 1].map(|operand| self.chain_of(operand, summands[operand], upper));
         let mut keyed: Vec<_> = forward.iter().enumerate().map(|(k, (_, summands))| (pair(summands), k)).collect();
         keyed.sort_unstable();

@@ -1,9 +1,13 @@
-//! A crossing module that knows more about some curves than where they cross (MS 7.1).
+//! Arrangements in convolution order: a crossing module that knows more about some curves than where they cross (MS 7.1).
 
 use super::order::Order;
 use crate::arrangement::cross::{CrossingModule, Crossings};
 use crate::arrangement::curve::Curve;
 use crate::arrangement::known::Known;
+use crate::arrangement::plain::PlainModule;
+use crate::arrangement::{Arrangement, module, swept};
+use crate::piece::Pieces;
+use crate::robustness::{Robustness, Step};
 use glam::DVec2;
 
 /// A crossing module with the convolution order of its pieces.
@@ -13,30 +17,17 @@ pub struct Ordered<'o, M> {
     pub module: M,
     /// The order.
     pub order: &'o Order,
-    /// Where it is used.
-    pub hooks: Hooks,
+    /// Whether it is used for swaps, and for insertion.
+    pub robustness: Robustness,
 }
 
-/// The places at which the sweep uses the order. Both are on; tests switch them off to show what they are good for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Hooks {
-    /// Swaps against the order are refused, and neighbours that are against it are swapped.
-    pub swaps: bool,
-    /// New curves are inserted between those that they are known to be between.
-    pub insertion: bool,
-}
-
-impl Default for Hooks {
-    fn default() -> Self {
-        Self { swaps: true, insertion: true }
-    }
-}
-
-impl<'o, M> Ordered<'o, M> {
-    /// A module with an order, used everywhere.
-    #[must_use]
-    pub fn new(module: M, order: &'o Order) -> Self {
-        Self { module, order, hooks: Hooks::default() }
+/// Arranges the pieces of a convolution in their order.
+#[must_use]
+pub fn arrange(pieces: &Pieces, order: &Order, robustness: Robustness) -> Arrangement {
+    if robustness.takes(Step::Crossings) {
+        swept(pieces, &Ordered { module: module(pieces), order, robustness }, robustness)
+    } else {
+        swept(pieces, &Ordered { module: PlainModule, order, robustness }, robustness)
     }
 }
 
@@ -54,14 +45,14 @@ impl<M: CrossingModule> CrossingModule for Ordered<'_, M> {
     }
 
     fn known(&self, f: &Curve, g: &Curve, x: f64) -> Known {
-        if self.hooks.swaps { self.order.known(f, g, x) } else { Known::NOTHING }
+        if self.robustness.takes(Step::OrderedSwaps) { self.order.known(f, g, x) } else { Known::NOTHING }
     }
 
     fn placed(&self, f: &Curve, g: &Curve, x: f64) -> Option<bool> {
-        if self.hooks.insertion { self.order.known(f, g, x).below } else { None }
+        if self.robustness.takes(Step::OrderedInsertion) { self.order.known(f, g, x).below } else { None }
     }
 
     fn related(&self, piece: u32, x: f64) -> Vec<u32> {
-        if self.hooks.insertion { self.order.related(piece, x).collect() } else { Vec::new() }
+        if self.robustness.takes(Step::OrderedInsertion) { self.order.related(piece, x).collect() } else { Vec::new() }
     }
 }

@@ -56,14 +56,24 @@ pub fn loops(graph: &Graph, selected: impl Fn([i32; 2]) -> bool) -> Vec<Traced> 
         while !std::mem::replace(&mut seen[half as usize], true) {
             walk.push(half);
             // Clockwise from where we came lies the inside; the next boundary edge ends this sector of it.
-            half = graph.next(half);
-            while !on_boundary(half) {
-                half = graph.clockwise(half);
-            }
+            let Some(next) = next_where(graph, half, on_boundary) else { break };
+            half = next;
         }
         split(graph, walk, |halves| out.push(Traced { component, halves }));
     }
     out
+}
+
+/// The next of some half-edges that leaves the vertex where another arrives, clockwise. A consistent map always has one.
+fn next_where(graph: &Graph, half: HalfEdge, on_boundary: impl Fn(HalfEdge) -> bool) -> Option<HalfEdge> {
+    let mut next = graph.next(half);
+    while !on_boundary(next) {
+        if next == half ^ 1 {
+            return None;
+        }
+        next = graph.clockwise(next);
+    }
+    Some(next)
 }
 
 /// Cuts a walk where it comes back to a point, and hands out the simple loops.

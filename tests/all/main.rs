@@ -12,6 +12,7 @@ mod frame;
 mod fuzzing;
 mod metamorphic;
 mod mutated_json;
+mod naive;
 mod realize;
 mod regions;
 mod small_polygons;

@@ -1,20 +1,55 @@
 //! The engines of this project: the kinetic and the monotonic convolution (MS 3, 5) and the approximate arrangement.
+//!
+//! `naive-kinetic` and `naive-monotonic` are the same algorithms in plain doubles, the baseline of MS 8.3;
+//! `kinetic-without-STEP` and `monotonic-without-STEP` leave out one robustness step, to see what it costs and does.
 
 use super::cells::cells;
 use super::{Abilities, Answer, Counters, Engine, EngineError, Times};
 use arcsum::region::Region;
+use arcsum::robustness::{Robustness, Step};
 use arcsum::sum::{Convolution, Options, Sum, sum};
 
-/// An engine by its convolution.
+/// An engine by its convolution and robustness steps.
 #[derive(Debug)]
-pub struct Own(pub Convolution);
+pub struct Own {
+    name: String,
+    options: Options,
+}
 
-impl Engine for Own {
-    fn name(&self) -> &'static str {
-        match self.0 {
+impl Own {
+    /// The engine with all robustness steps.
+    #[must_use]
+    pub fn new(convolution: Convolution) -> Self {
+        let name = match convolution {
             Convolution::Kinetic => "kinetic",
             Convolution::Monotonic => "monotonic",
-        }
+        };
+        Self { name: name.to_owned(), options: Options { convolution, robustness: Robustness::ALL } }
+    }
+
+    /// The engine of this name, if it is one of them.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        let (whole, robustness) = if let Some(whole) = name.strip_prefix("naive-") {
+            (whole, Robustness::NONE)
+        } else if let Some((whole, left_out)) = name.split_once("-without-") {
+            let (step, _) = Step::ALL.into_iter().find(|(_, known)| *known == left_out)?;
+            (whole, Robustness::ALL.without(step))
+        } else {
+            (name, Robustness::ALL)
+        };
+        let convolution = match whole {
+            "kinetic" => Convolution::Kinetic,
+            "monotonic" => Convolution::Monotonic,
+            _ => return None,
+        };
+        Some(Self { name: name.to_owned(), options: Options { convolution, robustness } })
+    }
+}
+
+impl Engine for Own {
+    fn name(&self) -> &str {
+        &self.name
     }
 
     fn version(&self) -> String {
@@ -26,8 +61,7 @@ impl Engine for Own {
     }
 
     fn sum(&mut self, a: &Region, b: &Region) -> Result<Answer, EngineError> {
-        let sum = sum(a, b, &Options { convolution: self.0, ..Options::default() })
-            .map_err(|e| EngineError::Invalid(e.to_string()))?;
+        let sum = sum(a, b, &self.options).map_err(|e| EngineError::Invalid(e.to_string()))?;
         Ok(Answer {
             counters: counters(&sum),
             times: Times {

@@ -3,14 +3,17 @@
 use super::command::Program;
 use super::own::Own;
 use super::{Abilities, Engine};
-use arcsum::sum::Convolution;
 
-/// The built-in engines.
+/// The built-in engines that take all robustness steps.
 pub const BUILT_IN: &[&str] = &["kinetic", "monotonic"];
+
+/// The baselines without any (MS 8.3).
+pub const NAIVE: &[&str] = &["naive-kinetic", "naive-monotonic"];
 
 /// A name that is no engine's.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("no engine is called {0}; there are {known}, and cmd:PROGRAM", known = BUILT_IN.join(", "))]
+#[error("no engine is called {0}; there are {known}, the first two also with -without-{steps}, and cmd:PROGRAM",
+    known = [BUILT_IN, NAIVE].concat().join(", "), steps = arcsum::robustness::Step::ALL.map(|(_, name)| name).join("|"))]
 pub struct NoSuchEngine(pub String);
 
 /// The engine of this name.
@@ -18,12 +21,13 @@ pub struct NoSuchEngine(pub String);
 /// # Errors
 /// When there is none.
 pub fn engine(name: &str) -> Result<Box<dyn Engine>, NoSuchEngine> {
-    match name {
-        "kinetic" => Ok(Box::new(Own(Convolution::Kinetic))),
-        "monotonic" => Ok(Box::new(Own(Convolution::Monotonic))),
-        _ if name.strip_prefix("cmd:").is_some_and(|p| !p.trim().is_empty()) => Ok(Box::new(Program::new(name))),
-        _ => Err(NoSuchEngine(name.to_owned())),
+    if let Some(own) = Own::named(name) {
+        return Ok(Box::new(own));
     }
+    if name.strip_prefix("cmd:").is_some_and(|p| !p.trim().is_empty()) {
+        return Ok(Box::new(Program::new(name)));
+    }
+    Err(NoSuchEngine(name.to_owned()))
 }
 
 /// What the runner needs to know of an engine without asking it anything.
@@ -44,4 +48,28 @@ pub struct Facts {
 pub fn facts(name: &str) -> Result<Facts, NoSuchEngine> {
     let engine = engine(name)?;
     Ok(Facts { name: engine.name().to_owned(), version: engine.version(), abilities: engine.abilities() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use arcsum::robustness::Step;
+
+    #[test]
+    fn engines_answer_to_their_names() {
+        let steps = Step::ALL.map(|(_, step)| format!("monotonic-without-{step}"));
+        for name in BUILT_IN.iter().chain(NAIVE).map(|name| (*name).to_owned()).chain(steps) {
+            assert_eq!(facts(&name).unwrap().name, name);
+        }
+    }
+
+    #[test]
+    fn others_are_refused() {
+        for name in
+            ["", "naive", "naive-", "naive-kinetic-without-gather", "kinetic-without-", "kinetic-without-x", "cmd:"]
+        {
+            let refusal = engine(name).err().unwrap().to_string();
+            assert!(refusal.contains("naive-monotonic") && refusal.contains("late-swaps"), "{refusal}");
+        }
+    }
 }

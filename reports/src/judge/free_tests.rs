@@ -52,7 +52,7 @@ fn holds(bracket: Greatest, truth: f64) -> bool {
 
 #[test]
 fn a_right_answer_has_nothing_falsely_free() {
-    let answer = Own(Convolution::Kinetic).sum(&disc(1.0), &disc(0.5)).unwrap();
+    let answer = Own::new(Convolution::Kinetic).sum(&disc(1.0), &disc(0.5)).unwrap();
     let mu = libm::scalbn(1.0, -50);
     let findings = found(&answer, mu);
     assert_eq!((findings.falsely_free, findings.bubbles, findings.cracks), (0, Some(0), Some(0)), "{findings:?}");
@@ -122,7 +122,7 @@ fn the_sum_of_other_regions_does_not_pass() {
     // A hole that belongs there: the check of a hole fails if the regions are taken for others.
     let ring = dug(polygon(&rectangle([0.0, 0.0], [4.0, 3.0])), [1.0, 0.5], [3.0, 2.5]);
     let square = polygon(&rectangle([0.0, 0.0], [1.0, 1.0]));
-    let answer = Own(Convolution::Kinetic).sum(&ring, &square).unwrap();
+    let answer = Own::new(Convolution::Kinetic).sum(&ring, &square).unwrap();
     let findings = |a: &Region| {
         let [a, b] = [a, &square].map(plain);
         let exact = arcsum_oracle::polygon::sum(&a, &b).unwrap();

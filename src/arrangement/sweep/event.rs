@@ -5,6 +5,7 @@ use crate::arrangement::cross::{CrossingModule, Crossings};
 use crate::arrangement::curve::compare;
 use crate::arrangement::moment::Moment;
 use crate::arrangement::status::{DOWN, NOWHERE, Place, UP};
+use crate::robustness::Step;
 use glam::DVec2;
 use std::cmp::{Ordering, Reverse};
 
@@ -45,7 +46,7 @@ impl<M: CrossingModule> Sweep<'_, M> {
             self.joined.extend([event.lower, event.upper]);
             return;
         }
-        if self.settled(lower).is_ok() {
+        if self.robustness.takes(Step::LateSwaps) && self.settled(lower).is_ok() {
             self.audit.stale += 1;
             return;
         }
@@ -57,7 +58,7 @@ impl<M: CrossingModule> Sweep<'_, M> {
     /// Whether a curve is a line through the current point.
     pub(super) fn passes(&self, curve: u32) -> bool {
         let curve = &self.curves[curve as usize];
-        curve.is_line() && curve.side(self.now) == 0.0
+        curve.is_line() && self.robustness.takes(Step::Cuts) && curve.side(self.now) == 0.0
     }
 
     /// What the module says about two curves, whichever comes first.
@@ -124,6 +125,9 @@ impl<M: CrossingModule> Sweep<'_, M> {
                 continue;
             }
             let Err(at) = self.settled(lower) else { continue };
+            if !self.robustness.takes(Step::LateSwaps) {
+                continue;
+            }
             let upper = self.status.near(lower, UP);
             self.audit.late += 1;
             self.swap(lower, upper, at);

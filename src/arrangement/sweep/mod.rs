@@ -9,6 +9,7 @@
 //! Lines that pass exactly through a vertex are cut there, and coinciding lines are merged with their net weight, so that
 //! integer input gives the exact map.
 
+mod apart;
 mod bundle;
 mod event;
 mod gap;
@@ -27,6 +28,7 @@ use super::status::Status;
 use super::trapezoid::Trapezoid;
 use super::vertices::Vertices;
 use crate::piece::Pieces;
+use crate::robustness::Robustness;
 use event::Event;
 use glam::DVec2;
 use std::cmp::Reverse;
@@ -35,6 +37,7 @@ use std::collections::BinaryHeap;
 /// The running sweep.
 pub(super) struct Sweep<'m, M> {
     module: &'m M,
+    robustness: Robustness,
     curves: Vec<Curve>,
     vertices: Vertices,
     status: Status,
@@ -63,7 +66,7 @@ pub(super) struct Sweep<'m, M> {
 
 impl<'m, M: CrossingModule> Sweep<'m, M> {
     /// The sweep before its first event.
-    pub(super) fn new(pieces: &Pieces, module: &'m M) -> Self {
+    pub(super) fn new(pieces: &Pieces, module: &'m M, robustness: Robustness) -> Self {
         let (vertices, curves) = Vertices::new(pieces);
         let audit = Audit { curves: curves.len(), ..Audit::default() };
         let mut curve_of = vec![u32::MAX; pieces.pieces.len()];
@@ -72,6 +75,7 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
         }
         Self {
             module,
+            robustness,
             edge_of: vec![u32::MAX; curves.len()],
             curve_of,
             is_ending: vec![false; curves.len()],

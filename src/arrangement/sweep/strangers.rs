@@ -3,12 +3,17 @@
 use super::Sweep;
 use crate::arrangement::cross::CrossingModule;
 use crate::arrangement::status::{DOWN, NOWHERE, Place, UP};
+use crate::robustness::Step;
 
 impl<M: CrossingModule> Sweep<'_, M> {
     /// Brings the places of the ending curves together by swapping strangers out towards the nearer side. Lines among the
     /// strangers that pass through the point are no strangers: they end here, too, or an exact meeting of several would come
     /// out as several vertices. Returns the places around all that was touched.
     pub(super) fn gather(&mut self, ending: &mut Vec<u32>) -> [Place; 2] {
+        if !self.robustness.takes(Step::Gather) {
+            let any = self.status.place(ending[0]);
+            return [DOWN, UP].map(|side| self.status.near(any, side));
+        }
         for curve in ending.iter() {
             self.is_ending[*curve as usize] = true;
         }

@@ -35,10 +35,14 @@ impl<M: CrossingModule> Sweep<'_, M> {
             self.gather(&mut ending)
         };
         let block = self.absorb(&mut around, &mut ending);
+        let apart = block.places.len() < ending.len();
         self.cut(&ending, vertex, &mut starting);
         self.sort_by_direction(&mut starting);
         self.merge(&mut starting);
         self.replace(block, &starting);
+        if apart {
+            self.take_out(&ending);
+        }
         self.restore_between(around);
     }
 
