@@ -8,6 +8,7 @@ use crate::piece::{Piece, Pieces};
 use crate::region::Region;
 use crate::smooth::{Smooth, SmoothError};
 use crate::sum3::Rounding;
+use crate::tidy::tidied;
 use std::time::{Duration, Instant};
 
 /// Which convolution a sum is extracted from.
@@ -75,8 +76,7 @@ pub enum SumError {
 pub fn sum(a: &Region, b: &Region, options: &Options) -> Result<Sum, SumError> {
     let start = Instant::now();
     let frames = Frame::pair(a, b);
-    let smooth =
-        |region, frame, operand| Smooth::new(region, frame).map_err(|reason| SumError::Operand { operand, reason });
+    let smooth = |region, frame, operand| smooth(region, frame).map_err(|reason| SumError::Operand { operand, reason });
     let (smooth_a, smooth_b) = (smooth(a, &frames.0, 'A')?, smooth(b, &frames.1, 'B')?);
     let convolve = match options.convolution {
         Convolution::Kinetic => kinetic,
@@ -93,6 +93,13 @@ pub fn sum(a: &Region, b: &Region, options: &Options) -> Result<Sum, SumError> {
     let times =
         Times { convolution: convolved - start, arrangement: arranged - convolved, extraction: arranged.elapsed() };
     Ok(Sum { region, convolution, frames, arrangement, times })
+}
+
+/// Smooths an operand, tidied if need be: results of the engine have loops that cross or fold by a rounding. An operand
+/// that cannot be helped is refused for what is wrong with it as it is.
+fn smooth(region: &Region, frame: &Frame) -> Result<Smooth, SmoothError> {
+    Smooth::new(region, frame)
+        .or_else(|reason| tidied(region).and_then(|(tidied, _)| Smooth::new(&tidied, frame).ok()).ok_or(reason))
 }
 
 impl Sum {
