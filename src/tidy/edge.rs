@@ -66,15 +66,14 @@ impl Span {
         Some(((to.dot(from) * sin - to.perp_dot(from) * cos) / chord.length()).abs())
     }
 
-    /// Half the sweep from the tail to a point on the edge: the angle from the tangent at the tail to the chord there.
+    /// Half the sweep from the tail to a point on the edge, measured from the nearer end: sines are proportional to
+    /// chords. A point off the edge by d changes the sagitta of what is left by less than d.
     pub(super) fn half_sweep_to(&self, p: DVec2) -> f64 {
-        if self.delta == 0.0 {
-            return 0.0;
-        }
-        let (sin, cos) = libm::sincos(self.delta);
-        let (start, to) = (turned(self.head - self.tail, cos, -sin), p - self.tail);
-        let (low, high) = (self.delta.min(0.0), self.delta.max(0.0));
-        libm::atan2(start.perp_dot(to), start.dot(to)).clamp(low, high)
+        let (to, from) = (p.distance(self.tail), p.distance(self.head));
+        let sine = libm::sin(self.delta) / self.head.distance(self.tail);
+        let upto = |chord: f64| libm::asin((sine * chord).clamp(-1.0, 1.0));
+        let half = if to <= from { upto(to) } else { self.delta - upto(from) };
+        half.clamp(self.delta.min(0.0), self.delta.max(0.0))
     }
 }
 
