@@ -5,7 +5,7 @@
 //! edges are led through the vertices next to them ([`lead`]), opposite edges cancel and what is left falls into loops that
 //! pass each vertex once ([`cancel`]), and edges that go on straight or on one circle become one ([`merge`]).
 //!
-//! No vertex is new: those that stay keep their coordinates, and so do edges with nothing close to them. The boundary moves
+//! No vertex is new but the middles of arcs beyond a half circle: those that stay keep their coordinates, and so do edges with nothing close to them. The boundary moves
 //! by at most [`MOVES`] tolerances, so the region only changes within that distance of its boundary: it gains nothing
 //! farther from the old region, and loses nothing deeper in it. What is thinner than that may go altogether. The tolerance is
 //! the least of [`TOLERANCES`] at which the loops come out simple enough to be smoothed.
@@ -26,7 +26,8 @@ use glam::DVec2;
 use std::f64::consts::FRAC_PI_2;
 
 /// The tolerances in units of eps times the unit box of the region, or times its greatest coordinate if that is more. The
-/// least is what a crossing may be off by in a box of side 2 (memo C1); the others leave 40 bits after ten of them.
+/// least is what a crossing may be off by in a box of side 2 (memo C1), and leaves 41 bits after ten times [`MOVES`] of it.
+/// The others are for results much smaller than the operands they come from.
 pub const TOLERANCES: [f64; 4] = [16.0, 64.0, 256.0, 1024.0];
 
 /// How many tolerances the boundary moves by at most. Ends move by one when joined, and an arc of up to a half circle moves
