@@ -5,10 +5,11 @@
 //! edges are led through the vertices next to them ([`lead`]), opposite edges cancel and what is left falls into loops that
 //! pass each vertex once ([`cancel`]), and edges that go on straight or on one circle become one ([`merge`]).
 //!
-//! No vertex is new but the middles of arcs beyond a half circle: those that stay keep their coordinates, and so do edges with nothing close to them. The boundary moves
-//! by at most [`MOVES`] tolerances, so the region only changes within that distance of its boundary: it gains nothing
-//! farther from the old region, and loses nothing deeper in it. What is thinner than that may go altogether. The tolerance is
-//! the least of [`TOLERANCES`] at which the loops come out simple enough to be smoothed.
+//! No vertex is new but the middles of arcs beyond a half circle: those that stay keep their coordinates, and so do edges
+//! with nothing close to them. The boundary moves by at most [`MOVES`] tolerances, so the region only changes within that
+//! distance of its boundary: it gains nothing farther from the old region, and loses nothing deeper in it. What is thinner
+//! than that may go altogether. The tolerance is the least of [`TOLERANCES`] at which the loops come out simple enough to
+//! be smoothed.
 
 mod cancel;
 mod edge;
