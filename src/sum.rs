@@ -8,6 +8,7 @@ use crate::piece::{Piece, Pieces};
 use crate::region::Region;
 use crate::robustness::Robustness;
 use crate::smooth::{Smooth, SmoothError};
+use crate::tidy::tidied;
 use std::time::{Duration, Instant};
 
 /// Which convolution a sum is extracted from.
@@ -76,7 +77,7 @@ pub fn sum(a: &Region, b: &Region, options: &Options) -> Result<Sum, SumError> {
     let start = Instant::now();
     let frames = Frame::pair(a, b);
     let smooth = |region, frame, operand| {
-        Smooth::by(region, frame, options.robustness).map_err(|reason| SumError::Operand { operand, reason })
+        smooth(region, frame, options.robustness).map_err(|reason| SumError::Operand { operand, reason })
     };
     let (smooth_a, smooth_b) = (smooth(a, &frames.0, 'A')?, smooth(b, &frames.1, 'B')?);
     let pieces = match options.convolution {
@@ -98,6 +99,13 @@ pub fn sum(a: &Region, b: &Region, options: &Options) -> Result<Sum, SumError> {
     let times =
         Times { convolution: convolved - start, arrangement: arranged - convolved, extraction: arranged.elapsed() };
     Ok(Sum { region, convolution, frames, arrangement, times })
+}
+
+/// Smooths an operand, tidied if need be: results of the engine have loops that cross or fold by a rounding. An operand
+/// that cannot be helped is refused for what is wrong with it as it is.
+fn smooth(region: &Region, frame: &Frame, robustness: Robustness) -> Result<Smooth, SmoothError> {
+    let smooth = |region: &Region| Smooth::by(region, frame, robustness);
+    smooth(region).or_else(|reason| tidied(region).and_then(|(tidied, _)| smooth(&tidied).ok()).ok_or(reason))
 }
 
 impl Sum {

@@ -27,7 +27,7 @@ pub struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// One sum, any format to any format.
+    /// The sum of two or more regions, any format to any format.
     Sum(sum::SumArgs),
     /// Measure engines on cases: files, folders and built-in families.
     Verify(verify::VerifyArgs),

@@ -4,6 +4,7 @@ mod engines;
 mod input;
 mod replay;
 mod resume;
+mod sums;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
