@@ -15,6 +15,8 @@ pub(super) struct Event {
     pub(super) moment: Moment,
     lower: u32,
     upper: u32,
+    /// Whether they may have to stay as they are: the module is asked again when the time comes.
+    asks: bool,
 }
 
 impl Eq for Event {}
@@ -46,13 +48,19 @@ impl<M: CrossingModule> Sweep<'_, M> {
             self.joined.extend([event.lower, event.upper]);
             return;
         }
-        if self.robustness.takes(Step::LateSwaps) && self.settled(lower).is_ok() {
+        let asks = event.asks || self.known(event.lower, event.upper).below.is_some();
+        if self.robustness.takes(Step::LateSwaps) && asks && self.settled(lower).is_ok() {
             self.audit.stale += 1;
             return;
         }
         self.audit.crossings += 1;
         self.swap(lower, upper, Some(at));
-        self.restore(vec![self.status.near(lower, DOWN), lower, upper]);
+        let mut work = vec![self.status.near(lower, DOWN), upper];
+        // Lines do not cross again.
+        if asks || ![event.lower, event.upper].iter().all(|curve| self.curves[*curve as usize].is_line()) {
+            work.push(lower);
+        }
+        self.restore(work);
     }
 
     /// Whether a curve is a line through the current point.
@@ -79,11 +87,14 @@ impl<M: CrossingModule> Sweep<'_, M> {
         let answer = self.crossings(f, g);
         let (mut below, mut place) = (answer.below, None);
         let now = Moment { at: self.now, low: self.low };
-        for &crossing in answer.points() {
+        for (i, &crossing) in answer.points().iter().enumerate() {
             let moment = self.while_active(crossing, f, g);
             if moment.compare(&now).is_gt() {
                 if below {
-                    self.queue.push(Reverse(Event { moment, lower: f, upper: g }));
+                    // Both crossings at one moment leave the order as it is.
+                    let again = answer.points().get(i + 1).map(|next| self.while_active(*next, f, g));
+                    let asks = again.is_some_and(|next| next.compare(&moment).is_le());
+                    self.queue.push(Reverse(Event { moment, lower: f, upper: g, asks }));
                     self.audit.queued += 1;
                 }
                 break;
@@ -97,14 +108,14 @@ impl<M: CrossingModule> Sweep<'_, M> {
         if known.until.is_finite() {
             let curve = &self.curves[f as usize];
             let at = DVec2::new(known.until, curve.y_at(known.until.min(curve.end.x)));
-            self.queue.push(Reverse(Event { moment: Moment::from(at), lower: f, upper: g }));
+            self.queue.push(Reverse(Event { moment: Moment::from(at), lower: f, upper: g, asks: true }));
         }
         match known.below {
             Some(true) => {
                 self.audit.cancelled += usize::from(!below);
                 Ok(())
             }
-            Some(false) => Err(None),
+            Some(false) => Err(place.filter(|_| !below)),
             None if below => Ok(()),
             None => Err(place),
         }
