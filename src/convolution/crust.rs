@@ -6,7 +6,7 @@
 
 use super::envelope::{Span, envelope};
 use super::part::part;
-use super::sums::{Summand, Sums, straight};
+use super::sums::{Summand, Sums, Taken, straight};
 use crate::angle::Ang;
 use crate::arrangement::cross::CrossingModule;
 use crate::chain::Chain;
@@ -50,20 +50,23 @@ fn faces(normal: Ang, up: bool) -> bool {
     if up { Ang::RIGHT < normal && normal < Ang::LEFT } else { normal > Ang::LEFT }
 }
 
-/// The crust of a chain of A and a chain of B of the same kind, from their sum segments that run forward.
+/// The crust of a chain of A and a chain of B of the same kind, from those of the sum segments taken that are theirs and run
+/// forward.
 pub fn crust<M: CrossingModule>(
     sums: &mut Sums,
     [a, b]: [&Chain; 2],
-    forward: &[&(Piece, [Summand; 2])],
+    taken: &Taken,
+    own: impl Iterator<Item = usize> + Clone,
     module: &M,
 ) -> Crust {
     let (upper, points) = (a.upper, sums.points());
-    let pieces: Vec<&Piece> = forward.iter().map(|(piece, _)| piece).collect();
+    let pieces: Vec<&Piece> = own.clone().map(|k| &taken.pieces[k]).collect();
+    let summands: Vec<[Summand; 2]> = own.map(|k| taken.summands[k]).collect();
     let spans = envelope(points, &pieces, upper, module);
     let run = |left: u32, right: u32| if upper { (right, left) } else { (left, right) };
     let cut = |span: &Span| {
         let (tail, head) = run(span.left, span.right);
-        (part(points, pieces[span.piece], tail, head), forward[span.piece].1)
+        (part(points, pieces[span.piece], tail, head), summands[span.piece])
     };
     let cut = spans.iter().map(cut).collect();
     let (tail, head) = (sums.corner(a.tail(), b.tail()), sums.corner(a.head(), b.head()));

@@ -11,7 +11,7 @@ use super::fill::Filled;
 use super::kinetic::{Side, convolve};
 use super::order::{Group, Kind, Order, Role};
 use super::part::part;
-use super::sums::{Placed, Summand, Sums};
+use super::sums::{Placed, Summand, Sums, Taken};
 use crate::arrangement::cross::CrossingModule;
 use crate::chain::{Chain, Chains, Turning};
 use crate::piece::Piece;
@@ -64,26 +64,28 @@ impl<'s, 'a, M: CrossingModule> Monotonic<'s, 'a, M> {
         self.sums.forward_only = true;
         convolve(self.sums, self.chains.each_ref().map(|chains| Side::of_chains(chains, upper)));
         self.sums.forward_only = false;
-        let mut forward = self.sums.take_from(first);
+        let taken = self.sums.take_from(first);
         let points = self.sums.points();
-        forward.retain(|(piece, _)| self.rule.takes(piece, points, upper));
-        let pair = |summands: &[Summand; 2]| [0, 1].map(|operand| self.chain_of(operand, summands[operand], upper));
-        let mut keyed: Vec<_> = forward.iter().enumerate().map(|(k, (_, summands))| (pair(summands), k)).collect();
-        keyed.sort_unstable();
+        let forward = (0..taken.pieces.len()).filter(|&k| self.rule.takes(&taken.pieces[k], points, upper));
+        let keys: Vec<usize> = forward.collect();
+        let key = |k: usize| {
+            let [i, j] = [0, 1].map(|operand| self.chain_of(operand, taken.summands[k][operand], upper) as u64);
+            i << 32 | j
+        };
+        let mut sorted: Vec<(u64, u32)> = keys.into_iter().map(|k| (key(k), k as u32)).collect();
+        sorted.sort_unstable();
         let kind = |operand: usize| {
             let chains = self.chains[operand].chains.iter().enumerate();
             chains.filter(|(_, chain)| chain.upper == upper).map(|(i, _)| i).collect::<Vec<_>>()
         };
         let (all_a, all_b) = (kind(0), kind(1));
-        let mut rest = keyed.as_slice();
-        let mut own = Vec::new();
+        let mut rest = sorted.as_slice();
         for &i in &all_a {
             for &j in &all_b {
-                let (these, others) = rest.split_at(rest.partition_point(|(key, _)| *key <= [i, j]));
+                let own = rest.iter().take_while(|(key, _)| *key == (i as u64) << 32 | j as u64).count();
+                let (these, others) = rest.split_at(own);
                 rest = others;
-                own.clear();
-                own.extend(these.iter().map(|(_, k)| &forward[*k]));
-                self.crust(i, j, &own);
+                self.crust(i, j, &taken, these);
             }
         }
     }
@@ -95,13 +97,13 @@ impl<'s, 'a, M: CrossingModule> Monotonic<'s, 'a, M> {
             Summand::Segment(of_loop, index) => self.chains[operand].of_segment(of_loop as usize, index as usize),
         };
         // Every summand has a chain.
-        chain.unwrap_or(usize::MAX)
+        chain.unwrap_or(u32::MAX as usize)
     }
 
     /// Adds the crust of two chains, but for what cancels.
-    fn crust(&mut self, i: usize, j: usize, forward: &[&(Piece, [Summand; 2])]) {
+    fn crust(&mut self, i: usize, j: usize, taken: &Taken, own: &[(u64, u32)]) {
         let (a, b) = (&self.chains[0].chains[i], &self.chains[1].chains[j]);
-        let crust = crust(self.sums, [a, b], forward, self.module);
+        let crust = crust(self.sums, [a, b], taken, own.iter().map(|(_, k)| *k as usize), self.module);
         let (upper, closer) = (a.upper, [Summand::Vertex(a.tail()), Summand::Vertex(b.tail())]);
         let kind = if upper { Kind::UpperCrust } else { Kind::LowerCrust };
         let roles = [true, false].map(|left| {
@@ -153,7 +155,8 @@ impl<'s, 'a, M: CrossingModule> Monotonic<'s, 'a, M> {
                     self.sums.reversed_by_vertex_of_b(placed, vertex);
                 }
             });
-            for (piece, summands) in self.sums.take_from(first) {
+            let Taken { pieces, summands } = self.sums.take_from(first);
+            for (piece, summands) in pieces.into_iter().zip(summands) {
                 let gone = self.cancelled.get(&summands).map_or(&[][..], Vec::as_slice);
                 for rest in rest(self.sums, &piece, gone) {
                     self.push(rest, summands, &[role]);

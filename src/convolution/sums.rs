@@ -67,6 +67,14 @@ pub struct Sums<'a> {
     pub forward_only: bool,
 }
 
+/// Pieces that are not yet part of a convolution, with what they are sums of.
+pub struct Taken {
+    /// The pieces.
+    pub pieces: Vec<Piece>,
+    /// Their summands.
+    pub summands: Vec<[Summand; 2]>,
+}
+
 /// What a piece is the sum of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Summand {
@@ -98,8 +106,8 @@ impl<'a> Sums<'a> {
     }
 
     /// Takes back the pieces from this one on, with their summands.
-    pub fn take_from(&mut self, first: usize) -> Vec<(Piece, [Summand; 2])> {
-        self.pieces.pieces.drain(first..).zip(self.summands.drain(first..)).collect()
+    pub fn take_from(&mut self, first: usize) -> Taken {
+        Taken { pieces: self.pieces.pieces.split_off(first), summands: self.summands.split_off(first) }
     }
 
     /// Adds a piece.
