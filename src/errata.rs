@@ -17,6 +17,9 @@
 //! | 3 | the winding number counts the components of A ∩ (t - B) | it is the Euler characteristic: holes are filled unless the partner fits, [`crate::convolution::fill`] |
 //! | 2 | the extension to several loops is straightforward | it is the fill rule |
 //! | 4 | negative winding numbers are impossible in exact arithmetic | possible with holes that should have been filled |
+//! | 7.1 | rule 4, L1 + L2 <= U1 + U2 wherever both run | only as far as the shorter chain of each pair reaches: [`crate::convolution::order`] |
+//! | 7.1 | the convolution order is enforced between all related segments | it speaks of ordinates at one abscissa: where a line rises by much within a rounding of x, and between verticals, it says nothing |
+//! | 5.1 | T segments are boundaries | reversed boundaries: [`crate::chain`] and the convolution |
 //! | 4.2 | vertical distance in Theorems 1 and 3 | end points have rounded abscissas, so on steep pieces only a Hausdorff distance can be small |
 //! | 4.2 | Theorem 1: chains move vertically by a few eps | an arc of sweep s that continues a vertical line moves by up to 0.6/s eps: realized along a direction clear of all stored ones |
 //! | 4.2 | chains are split at every angle of the convolution | angles an ulp apart give swapped or equal points: arcs are not split, since an exact arc has every normal |
