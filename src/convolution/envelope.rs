@@ -35,7 +35,10 @@ pub fn envelope<M: CrossingModule>(points: &mut Vec<DVec2>, pieces: &[&Piece], u
     let curves: Vec<Option<Curve>> = pieces.iter().enumerate().map(curve).collect();
     while rows.len() > 1 {
         let merged = rows.chunks(2).map(|pair| match pair {
-            [first, second] => Merge { points, curves: &curves, upper, module, parts: Vec::new() }.run(first, second),
+            [first, second] => {
+                let parts = Vec::with_capacity(2 * (first.len() + second.len()));
+                Merge { points, curves: &curves, upper, module, parts }.run(first, second)
+            }
             rest => rest.concat(),
         });
         rows = merged.collect();
@@ -52,11 +55,18 @@ fn rows(points: &[DVec2], pieces: &[&Piece]) -> Vec<Vec<Span>> {
     };
     let mut spans: Vec<Span> = pieces.iter().enumerate().map(span).collect();
     spans.sort_by(|s, t| x(s.left).total_cmp(&x(t.left)));
+    if spans.windows(2).all(|pair| x(pair[0].right) <= x(pair[1].left)) {
+        return vec![spans];
+    }
     let mut rows: Vec<Vec<Span>> = Vec::new();
-    for span in spans {
+    for span in &spans {
         match rows.iter_mut().find(|row| row.last().is_none_or(|last| x(last.right) <= x(span.left))) {
-            Some(row) => row.push(span),
-            None => rows.push(vec![span]),
+            Some(row) => row.push(*span),
+            None => {
+                let mut row = Vec::with_capacity(spans.len());
+                row.push(*span);
+                rows.push(row);
+            }
         }
     }
     rows
