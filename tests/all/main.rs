@@ -12,6 +12,7 @@ mod frame;
 mod fuzzing;
 mod iterated;
 mod metamorphic;
+mod monotonic;
 mod mutated_json;
 mod naive;
 mod realize;
