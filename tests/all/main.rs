@@ -15,6 +15,7 @@ mod metamorphic;
 mod monotonic;
 mod mutated_json;
 mod naive;
+mod order;
 mod realize;
 mod regions;
 mod small_polygons;
