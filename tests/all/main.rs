@@ -23,4 +23,5 @@ mod smooth;
 mod steep;
 mod sum3;
 mod tidy;
+mod two_ways;
 mod validate;

@@ -4,7 +4,13 @@
 //! The cases were found by search: a region and its copy a few units in the last place off, so that sum segments nearly
 //! coincide.
 
-use arcsum::region::{Node, Region};
+use arcsum::convolution::{monotonic, ordered};
+use arcsum::frame::Frame;
+use arcsum::region::{Curve, Node, Region};
+use arcsum::robustness::{Robustness, Step};
+use arcsum::smooth::Smooth;
+use arcsum::sum3::Rounding;
+use arcsum_reports::cases::shape::disc;
 use arcsum_tests::cases;
 use arcsum_tests::chains::{Chain, chains, concave, convolved, rings};
 use arcsum_tests::shapes::{Lattice, simple};
@@ -81,4 +87,115 @@ fn left_convex(region: &Region) -> Vec<[Chain; 2]> {
         is_one.then(|| [after.clone(), before.clone()])
     };
     (0..all.len()).filter_map(pair).collect()
+}
+
+/// The number of cells of winding number 0, of which the one outside is one, and of those below 0.
+fn cells(a: &Region, b: &Region, row: Option<usize>, robustness: Robustness) -> [usize; 2] {
+    let frames = Frame::pair(a, b);
+    let (x, y) = (Smooth::new(a, &frames.0).expect("valid"), Smooth::new(b, &frames.1).expect("valid"));
+    let (pieces, mut order) = monotonic(&x, &y, Rounding::Correct).expect("bounded");
+    order.without = row;
+    let windings = ordered::arrange(&pieces, &order, robustness).graph.windings;
+    [windings.iter().filter(|w| w[0] == 0).count(), windings.iter().filter(|w| w[0] < 0).count()]
+}
+
+/// With the whole order only the outside is free, and without a row there are more such cells, or negative ones.
+fn assert_row_needed(row: usize, a: &Region, b: &Region, without: [usize; 2]) {
+    assert_eq!(cells(a, b, None, Robustness::ALL), [1, 0]);
+    assert_eq!(cells(a, b, Some(row), Robustness::ALL), without);
+}
+
+fn bent<const N: usize>(corners: [(f64, f64, f64); N]) -> Region {
+    let node = |(x, y, bulge)| Node { x, y, curve: if bulge == 0.0 { Curve::Line } else { Curve::Bulge(bulge) } };
+    Region { loops: vec![corners.map(node).to_vec()], ..Region::default() }
+}
+
+/// Two copies of a sickle, some units in the last place apart.
+fn sickles() -> (Region, Region) {
+    let (first, second) = (0.5999327185768859, 0.6367238647639679);
+    let a = bent([(1.0, 0.0, first), (1.0, 3.0, 0.0), (0.0, -2.0, second)]);
+    let b = bent([
+        (1.0, -1.3877787807814457e-17, first),
+        (1.0000000000000007, 2.9999999999999996, 0.0),
+        (-4.163336342344337e-17, -1.9999999999999996, second),
+    ]);
+    (a, b)
+}
+
+/// A dart and a disc.
+fn dart() -> (Region, Region) {
+    let dart = polygon(&[
+        (0.3950550589739455, 0.0),
+        (-0.3535088885540677, 0.9300429166182153),
+        (-0.22277371960016698, 0.15403072482114194),
+        (-0.3178423565775972, -0.2889689090905155),
+    ]);
+    (dart, disc(0.34327067490750013))
+}
+
+#[test]
+fn a_lower_crust_stays_below_a_lower_chain_of_a() {
+    let (a, b) = sickles();
+    assert_row_needed(0, &a, &b, [2, 0]);
+}
+
+/// A bent triangle and its negative, turned by a thousandth.
+#[test]
+fn a_lower_crust_stays_below_a_lower_chain_of_b() {
+    let bulges = [0.4530499560958409, 0.18350758145245255, 0.5480051090414139];
+    let triangle = |corners: [(f64, f64); 3]| {
+        let [p, q, r] = corners;
+        bent([(p.0, p.1, bulges[0]), (q.0, q.1, bulges[1]), (r.0, r.1, bulges[2])])
+    };
+    let a = triangle([
+        (0.36689049330429546, 0.0),
+        (0.03366889216046678, 0.8753411065641479),
+        (-0.48537920503645154, -0.7311754307108267),
+    ]);
+    let b = triangle([
+        (-0.36774515957537496, -0.0003258290632768279),
+        (-0.03366889216046678, -0.8753411065641479),
+        (0.4838100939784832, 0.7316815474909593),
+    ]);
+    assert_row_needed(1, &a, &b, [2, 0]);
+}
+
+/// A region and itself.
+#[test]
+fn an_upper_crust_stays_above_an_upper_chain_of_a() {
+    let a = bent([(1.0, 0.0, 0.30902281918509444), (0.0, 2.0, 0.2695905120622876), (0.0, -1.0, 0.815692771508225)]);
+    assert_row_needed(2, &a, &a, [3, 0]);
+}
+
+#[test]
+fn an_upper_crust_stays_above_an_upper_chain_of_b() {
+    let (a, b) = dart();
+    assert_row_needed(3, &a, &b, [2, 0]);
+}
+
+/// Two copies of a blade, some units in the last place apart.
+#[test]
+fn crusts_of_convex_turning_points_stay_in_order() {
+    let bulges = [0.07551601473192357, -0.10983189858373917, 0.07273582446293715];
+    let a = bent([
+        (0.3460513438891418, 0.0, bulges[0]),
+        (0.11690135519151552, 0.4060825700454957, bulges[1]),
+        (-0.49510743990534956, -0.5068399625343308, bulges[2]),
+    ]);
+    let b = bent([
+        (0.34605134388914194, 4.163336342344337e-17, bulges[0]),
+        (0.11690135519151555, 0.40608257004549586, bulges[1]),
+        (-0.49510743990534967, -0.5068399625343305, bulges[2]),
+    ]);
+    assert_row_needed(8, &a, &b, [1, 1]);
+}
+
+/// Both uses of the order are needed.
+#[test]
+fn swaps_and_insertion_need_the_order() {
+    let ((a, b), (c, d)) = (dart(), sickles());
+    assert_eq!(cells(&a, &b, None, Robustness::ALL), [1, 0]);
+    assert_eq!(cells(&a, &b, None, Robustness::ALL.without(Step::OrderedSwaps)), [2, 0]);
+    assert_eq!(cells(&c, &d, None, Robustness::ALL), [1, 0]);
+    assert_eq!(cells(&c, &d, None, Robustness::ALL.without(Step::OrderedInsertion)), [3, 0]);
 }
