@@ -51,7 +51,7 @@ impl Convolved {
         let points = &self.monotonic.points;
         let probe = |k: usize| {
             let place = *random.pick(points);
-            let scale = if k % 2 == 0 { 0.5 } else { 0.01 };
+            let scale = if k.is_multiple_of(2) { 0.5 } else { 0.01 };
             place + scale * DVec2::new(random.unit() - 0.5, random.unit() - 0.5)
         };
         (0..PROBES)

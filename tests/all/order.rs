@@ -41,7 +41,7 @@ fn crusts(a: &[Chain; 2], b: &[Chain; 2], x: &Rational) -> Option<[Rational; 2]>
     Some([crust(0)?, crust(1)?])
 }
 
-/// The abscissa up to which rule 4 holds.
+/// The abscissa that the shorter chains reach: up to there rule 4 holds.
 fn common(a: &[Chain; 2], b: &[Chain; 2]) -> Rational {
     let shorter = |chains: &[Chain; 2]| reach(&chains[0]).min(reach(&chains[1])).clone();
     shorter(a) + shorter(b)
