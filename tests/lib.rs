@@ -1,8 +1,10 @@
 //! Shared inputs and judges of the integration tests.
 
 pub mod boundary;
+pub mod chains;
 mod draw;
 pub mod fiber;
+pub mod monotone;
 pub mod precise;
 pub mod random;
 pub mod shapes;
