@@ -8,7 +8,7 @@ use crate::piece::{Piece, Pieces};
 use crate::region::Region;
 use crate::robustness::Robustness;
 use crate::smooth::{Smooth, SmoothError};
-use crate::tidy::tidied;
+use crate::tidy::{is_curled, tidied};
 use std::time::{Duration, Instant};
 
 /// Which convolution a sum is extracted from.
@@ -101,11 +101,15 @@ pub fn sum(a: &Region, b: &Region, options: &Options) -> Result<Sum, SumError> {
     Ok(Sum { region, convolution, frames, arrangement, times })
 }
 
-/// Smooths an operand, tidied if need be: results of the engine have loops that cross or fold by a rounding. An operand
-/// that cannot be helped is refused for what is wrong with it as it is.
+/// Smooths an operand, tidied if need be: results of the engine have loops that cross, fold or curl by a rounding. An operand
+/// that cannot be helped is taken, or refused, as it is.
 fn smooth(region: &Region, frame: &Frame, robustness: Robustness) -> Result<Smooth, SmoothError> {
     let smooth = |region: &Region| Smooth::by(region, frame, robustness);
-    smooth(region).or_else(|reason| tidied(region).and_then(|(tidied, _)| smooth(&tidied).ok()).ok_or(reason))
+    let plain = smooth(region);
+    if plain.is_ok() && !is_curled(region) {
+        return plain;
+    }
+    tidied(region).and_then(|(tidied, _)| smooth(&tidied).ok()).map_or(plain, Ok)
 }
 
 impl Sum {
