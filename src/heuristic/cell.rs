@@ -1,0 +1,125 @@
+//! Faces of a map that connectors have cut: boundary walks are joined by the trapezoids between them, as the sweep joins gaps.
+
+use super::split::Refined;
+use crate::arrangement::Arrangement;
+use crate::arrangement::graph::{Graph, HalfEdge};
+
+/// Numbers the faces anew, with the winding numbers of the old ones. The face far away stays number 0.
+pub(super) fn settle(arrangement: &mut Arrangement, refined: &Refined) {
+    if arrangement.graph.edges.is_empty() {
+        return;
+    }
+    let mut cells = Cells::new(&arrangement.graph);
+    for &[below, above] in &refined.borders {
+        cells.join(2 * below, 2 * above + 1);
+    }
+    cells.join_far(arrangement, refined);
+    cells.join_stray(&arrangement.graph, refined);
+    cells.number(arrangement, refined);
+}
+
+/// A disjoint-set forest of half-edges by the face on their left; the last is for the face far away.
+struct Cells {
+    parent: Vec<u32>,
+}
+
+impl Cells {
+    /// The boundary walks.
+    fn new(graph: &Graph) -> Self {
+        let halves = 2 * graph.edges.len() as u32;
+        let mut cells = Self { parent: (0..=halves).collect() };
+        (0..halves).for_each(|half| cells.join(half, graph.next(half)));
+        cells
+    }
+
+    fn root(&mut self, mut half: HalfEdge) -> HalfEdge {
+        while self.parent[half as usize] != half {
+            let up = self.parent[half as usize];
+            self.parent[half as usize] = self.parent[up as usize];
+            half = self.parent[half as usize];
+        }
+        half
+    }
+
+    fn join(&mut self, f: HalfEdge, g: HalfEdge) {
+        let (f, g) = (self.root(f), self.root(g));
+        // The greatest leads: the face far away, if it is one of them.
+        self.parent[f.min(g) as usize] = f.max(g);
+    }
+
+    fn far(&self) -> HalfEdge {
+        (self.parent.len() - 1) as HalfEdge
+    }
+
+    /// Joins to the face far away what no trapezoids cover: it is unbounded upwards or downwards there.
+    fn join_far(&mut self, arrangement: &Arrangement, refined: &Refined) {
+        let graph = &arrangement.graph;
+        let mut spans = vec![Vec::new(); 2 * graph.edges.len()];
+        for (trapezoid, [below, above]) in arrangement.trapezoids.iter().zip(&refined.borders) {
+            for half in [2 * below, 2 * above + 1] {
+                spans[half as usize].push((trapezoid.from, trapezoid.to));
+            }
+        }
+        for (half, mut spans) in (0..).zip(spans) {
+            if graph.face(half) != 0 {
+                continue;
+            }
+            spans.sort_by(|s, t| s.0.total_cmp(&t.0));
+            let edge = &graph.edges[(half / 2) as usize];
+            let [from, to] = [edge.from, edge.to].map(|v| graph.points[v as usize].x);
+            let covered = spans.iter().fold(from, |x, span| if span.0 == x { span.1 } else { x });
+            if covered < to {
+                self.join(half, self.far());
+            }
+        }
+    }
+
+    /// Joins walks next to no trapezoid, as those around a vertical alone are, to the greatest part of their old face.
+    fn join_stray(&mut self, graph: &Graph, refined: &Refined) {
+        let mut met = vec![0_u32; self.parent.len()];
+        for [below, above] in &refined.borders {
+            for half in [2 * below, 2 * above + 1] {
+                met[self.root(half) as usize] += 1;
+            }
+        }
+        let far = self.far();
+        met[self.root(far) as usize] = u32::MAX;
+        let mut greatest: Vec<Option<HalfEdge>> = vec![None; graph.windings.len()];
+        greatest[0] = Some(far);
+        for half in 0..far {
+            let (root, best) = (self.root(half), &mut greatest[graph.face(half) as usize]);
+            if best.is_none_or(|best| met[best as usize] < met[root as usize]) {
+                *best = Some(root);
+            }
+        }
+        for half in 0..far {
+            let root = self.root(half);
+            if let Some(best) = greatest[graph.face(half) as usize].filter(|_| met[root as usize] == 0) {
+                self.join(root, best);
+            }
+        }
+    }
+
+    fn number(&mut self, arrangement: &mut Arrangement, refined: &Refined) {
+        let graph = &mut arrangement.graph;
+        let mut number = vec![u32::MAX; self.parent.len()];
+        let mut windings = vec![graph.windings[0]];
+        let far = self.far();
+        number[self.root(far) as usize] = 0;
+        for half in 0..far {
+            let root = self.root(half) as usize;
+            if number[root] == u32::MAX {
+                number[root] = windings.len() as u32;
+                windings.push(graph.windings[graph.face(half) as usize]);
+            }
+        }
+        for (e, edge) in (0..).zip(&mut graph.edges) {
+            edge.above = number[self.root(2 * e) as usize];
+            edge.below = number[self.root(2 * e + 1) as usize];
+        }
+        graph.windings = windings;
+        for (trapezoid, [below, _]) in arrangement.trapezoids.iter_mut().zip(&refined.borders) {
+            trapezoid.face = graph.edges[*below as usize].above;
+        }
+    }
+}
