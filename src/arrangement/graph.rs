@@ -188,6 +188,14 @@ impl Graph {
         self.clockwise(half ^ 1)
     }
 
+    /// The half-edge before it along that boundary.
+    #[must_use]
+    pub fn previous(&self, half: HalfEdge) -> HalfEdge {
+        let around = self.around(self.origin(half));
+        let place = self.slot[half as usize] - self.first_around[self.origin(half) as usize];
+        around[(place as usize + 1) % around.len()] ^ 1
+    }
+
     /// Counts what Euler's formula needs, independently of how the sweep assigned faces.
     #[must_use]
     pub fn euler(&self) -> Euler {

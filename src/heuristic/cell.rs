@@ -11,7 +11,7 @@ pub(super) fn settle(arrangement: &mut Arrangement, refined: &Refined) {
     }
     let mut cells = Cells::new(&arrangement.graph);
     for &[below, above] in &refined.borders {
-        cells.join(2 * below, 2 * above + 1);
+        cells.join_faces(2 * below, 2 * above + 1);
     }
     cells.join_far(arrangement, refined);
     cells.join_stray(&arrangement.graph, refined);
@@ -21,14 +21,21 @@ pub(super) fn settle(arrangement: &mut Arrangement, refined: &Refined) {
 /// A disjoint-set forest of half-edges by the face on their left; the last is for the face far away.
 struct Cells {
     parent: Vec<u32>,
+    /// Whether a root stands for a whole cell with its outer boundary, or for the face far away. No two of these are one,
+    /// whatever trapezoids that are inverted by a rounding may say.
+    whole: Vec<bool>,
 }
 
 impl Cells {
     /// The boundary walks.
     fn new(graph: &Graph) -> Self {
         let halves = 2 * graph.edges.len() as u32;
-        let mut cells = Self { parent: (0..=halves).collect() };
+        let mut cells = Self { parent: (0..=halves).collect(), whole: vec![true; halves as usize + 1] };
         (0..halves).for_each(|half| cells.join(half, graph.next(half)));
+        for half in outer(graph) {
+            let root = cells.root(half);
+            cells.whole[root as usize] = false;
+        }
         cells
     }
 
@@ -45,6 +52,16 @@ impl Cells {
         let (f, g) = (self.root(f), self.root(g));
         // The greatest leads: the face far away, if it is one of them.
         self.parent[f.min(g) as usize] = f.max(g);
+    }
+
+    /// Joins what cannot be two cells.
+    fn join_faces(&mut self, f: HalfEdge, g: HalfEdge) {
+        let (f, g) = (self.root(f), self.root(g));
+        let [one, other] = [f, g].map(|root| self.whole[root as usize]);
+        if f != g && !(one && other) {
+            self.join(f, g);
+            self.whole[f.max(g) as usize] = one || other;
+        }
     }
 
     fn far(&self) -> HalfEdge {
@@ -69,12 +86,13 @@ impl Cells {
             let [from, to] = [edge.from, edge.to].map(|v| graph.points[v as usize].x);
             let covered = spans.iter().fold(from, |x, span| if span.0 == x { span.1 } else { x });
             if covered < to {
-                self.join(half, self.far());
+                self.join_faces(half, self.far());
             }
         }
     }
 
-    /// Joins walks next to no trapezoid, as those around a vertical alone are, to the greatest part of their old face.
+    /// Joins the walk around a connected part of the edges that no trapezoid joins to a cell, as that around a vertical alone,
+    /// to the greatest part of its old face.
     fn join_stray(&mut self, graph: &Graph, refined: &Refined) {
         let mut met = vec![0_u32; self.parent.len()];
         for [below, above] in &refined.borders {
@@ -87,15 +105,16 @@ impl Cells {
         let mut greatest: Vec<Option<HalfEdge>> = vec![None; graph.windings.len()];
         greatest[0] = Some(far);
         for half in 0..far {
-            let (root, best) = (self.root(half), &mut greatest[graph.face(half) as usize]);
-            if best.is_none_or(|best| met[best as usize] < met[root as usize]) {
+            let root = self.root(half);
+            let best = &mut greatest[graph.face(half) as usize];
+            if self.whole[root as usize] && best.is_none_or(|best| met[best as usize] < met[root as usize]) {
                 *best = Some(root);
             }
         }
-        for half in 0..far {
+        for half in outer(graph) {
             let root = self.root(half);
-            if let Some(best) = greatest[graph.face(half) as usize].filter(|_| met[root as usize] == 0) {
-                self.join(root, best);
+            if let Some(best) = greatest[graph.face(half) as usize] {
+                self.join_faces(root, best);
             }
         }
     }
@@ -122,4 +141,23 @@ impl Cells {
             trapezoid.face = graph.edges[*below as usize].above;
         }
     }
+}
+
+/// A half-edge of the walk around each connected part of the edges: the last one at its first vertex, which has its left side
+/// to the left of all edges.
+fn outer(graph: &Graph) -> Vec<HalfEdge> {
+    let mut parent: Vec<u32> = (0..graph.points.len() as u32).collect();
+    let root = |parent: &mut Vec<u32>, mut v: u32| {
+        while parent[v as usize] != v {
+            parent[v as usize] = parent[parent[v as usize] as usize];
+            v = parent[v as usize];
+        }
+        v
+    };
+    for edge in &graph.edges {
+        let (u, v) = (root(&mut parent, edge.from), root(&mut parent, edge.to));
+        parent[u.max(v) as usize] = u.min(v);
+    }
+    let first = (0..parent.len() as u32).filter(|v| parent[*v as usize] == *v);
+    first.filter_map(|v| graph.around(v).last().copied()).collect()
 }

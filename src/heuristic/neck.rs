@@ -2,7 +2,7 @@
 //! They are found at the ends of trapezoids, which is where vertices are.
 
 use crate::arrangement::Arrangement;
-use crate::arrangement::graph::Graph;
+use crate::arrangement::graph::{Graph, HalfEdge};
 use crate::arrangement::trapezoid::Trapezoid;
 use std::collections::HashSet;
 
@@ -35,13 +35,13 @@ impl Places {
 /// An end of a neck.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum End {
-    /// At a vertex.
-    Vertex(u32),
+    /// In the corner of the cell at a vertex, on the left of this half-edge that leaves it.
+    Corner(HalfEdge),
     /// Inside an edge.
     Edge(u32),
 }
 
-/// A vertical through a free cell, at least one end of which is a vertex.
+/// A vertical through a free cell, at least one end of which is at a vertex.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Neck {
     pub(super) x: f64,
@@ -56,12 +56,14 @@ pub(super) fn necks(arrangement: &Arrangement, places: &Places, threshold: f64) 
     let graph = &arrangement.graph;
     let (mut necks, mut known) = (Vec::new(), HashSet::new());
     for trapezoid in arrangement.trapezoids.iter().filter(|t| graph.windings[t.face as usize][0] == 0) {
-        let edges = places.edges(graph, trapezoid);
-        for x in [trapezoid.from, trapezoid.to] {
-            let ends = ends(graph, edges, x);
-            let [low, high] = [0, 1].map(|side| height(graph, ends[side], x));
-            let open = ends[0] != ends[1] && ends.iter().any(|end| matches!(end, End::Vertex(_)));
-            if open && (0.0..=threshold).contains(&(high - low)) && known.insert(ends) {
+        let [below, above] = places.edges(graph, trapezoid);
+        // Both sides of the cell as they run: to the right below, to the left above.
+        let wall = |x| Wall { graph, x, sides: [2 * below, 2 * above + 1] };
+        for ends in [wall(trapezoid.from).left(), wall(trapezoid.to).right()] {
+            let Some((x, ends)) = ends else { continue };
+            let [low, high] = ends.map(|end| height(graph, end, x));
+            let corner = ends.iter().any(|end| matches!(end, End::Corner(_)));
+            if corner && (0.0..=threshold).contains(&(high - low)) && known.insert(ends) {
                 necks.push(Neck { x, ends, face: trapezoid.face });
             }
         }
@@ -69,32 +71,72 @@ pub(super) fn necks(arrangement: &Arrangement, places: &Places, threshold: f64) 
     necks
 }
 
-/// Where the vertical at the end of a trapezoid between two edges begins and ends.
-fn ends(graph: &Graph, edges: [u32; 2], x: f64) -> [End; 2] {
-    let end = |side: usize| {
-        let edge = &graph.edges[edges[side] as usize];
-        let here = [edge.from, edge.to].into_iter().find(|v| graph.points[*v as usize].x == x);
-        here.map_or(End::Edge(edges[side]), |v| End::Vertex(passed(graph, v, side == 0)))
-    };
-    [end(0), end(1)]
+/// The vertical line at an end of a trapezoid. Edges without width along it are part of the boundary there.
+struct Wall<'g> {
+    graph: &'g Graph,
+    x: f64,
+    sides: [HalfEdge; 2],
 }
 
-/// The far end of the vertical edges that go on from a vertex, upwards or downwards: they are the wall there.
-fn passed(graph: &Graph, mut vertex: u32, upwards: bool) -> u32 {
-    loop {
-        let around = graph.around(vertex);
-        let lefts = around.iter().take_while(|half| **half % 2 == 1).count();
-        let next = if upwards { around[lefts..].last() } else { around[..lefts].last() };
-        match next.filter(|half| graph.curves[graph.edges[(**half / 2) as usize].curve as usize].is_vertical()) {
-            Some(half) => vertex = graph.target(*half),
-            None => return vertex,
+impl Wall<'_> {
+    /// What is open of the right end, from bottom to top.
+    fn right(&self) -> Option<(f64, [End; 2])> {
+        let [below, above] = self.sides;
+        self.open([self.after(below, true), self.before(above, false)])
+    }
+
+    /// What is open of the left end.
+    fn left(&self) -> Option<(f64, [End; 2])> {
+        let [below, above] = self.sides;
+        self.open([self.before(below, true), self.after(above, false)])
+    }
+
+    fn open(&self, ends: [End; 2]) -> Option<(f64, [End; 2])> {
+        (ends[0] != ends[1]).then_some((self.x, ends))
+    }
+
+    /// The corner where a side ends at the wall, or further along edges on the wall.
+    fn after(&self, side: HalfEdge, upwards: bool) -> End {
+        if self.at(self.graph.target(side)).is_none() {
+            return End::Edge(side / 2);
         }
+        let mut out = self.graph.next(side);
+        while self.goes_on(self.graph.origin(out), self.graph.target(out), upwards) {
+            out = self.graph.next(out);
+        }
+        End::Corner(out)
+    }
+
+    /// The corner where a side begins at the wall, or further back along edges on the wall.
+    fn before(&self, side: HalfEdge, upwards: bool) -> End {
+        if self.at(self.graph.origin(side)).is_none() {
+            return End::Edge(side / 2);
+        }
+        let mut out = side;
+        while let previous = self.graph.previous(out)
+            && self.goes_on(self.graph.target(previous), self.graph.origin(previous), upwards)
+        {
+            out = previous;
+        }
+        End::Corner(out)
+    }
+
+    /// The ordinate of a vertex on the wall.
+    fn at(&self, vertex: u32) -> Option<f64> {
+        let p = self.graph.points[vertex as usize];
+        (p.x == self.x).then_some(p.y)
+    }
+
+    /// Whether an edge runs along the wall, into the gap.
+    fn goes_on(&self, from: u32, to: u32, upwards: bool) -> bool {
+        let ends = self.at(from).zip(self.at(to));
+        ends.is_some_and(|(from, to)| if upwards { from < to } else { to < from })
     }
 }
 
 fn height(graph: &Graph, end: End, x: f64) -> f64 {
     match end {
-        End::Vertex(v) => graph.points[v as usize].y,
+        End::Corner(half) => graph.points[graph.origin(half) as usize].y,
         End::Edge(e) => graph.curves[graph.edges[e as usize].curve as usize].y_at(x),
     }
 }

@@ -23,15 +23,16 @@ struct Cut {
 /// Puts the necks into the map. The faces of the new map are still those of the old one.
 pub(super) fn split(arrangement: &mut Arrangement, places: &Places, necks: &[Neck], pieces: &mut Pieces) -> Refined {
     let mut splitter = Splitter::new(&arrangement.graph);
-    let ends: Vec<[u32; 2]> = necks.iter().map(|neck| neck.ends.map(|end| splitter.vertex(end, neck.x))).collect();
+    let vertices: Vec<[u32; 2]> = necks.iter().map(|neck| neck.ends.map(|end| splitter.vertex(end, neck.x))).collect();
     let parts = splitter.cut_edges();
     let border = |t| {
         let edges = places.edges(&arrangement.graph, t);
         edges.map(|e| splitter.part_from(&parts[e as usize], e, t.from))
     };
     let borders = arrangement.trapezoids.iter().map(border).collect();
-    for (ends, neck) in ends.into_iter().zip(necks) {
-        splitter.connect(ends, neck.face, pieces);
+    for (vertices, neck) in vertices.into_iter().zip(necks) {
+        splitter.turn_off(neck.ends, vertices, &parts);
+        splitter.connect(vertices, neck.face, pieces);
     }
     let Splitter { points, edges, curves, around, .. } = splitter;
     let windings = arrangement.graph.windings.clone();
@@ -48,6 +49,8 @@ struct Splitter {
     /// Half-edges that leave each vertex, counter-clockwise from the upper left.
     around: Vec<Vec<HalfEdge>>,
     cuts: Vec<Vec<Cut>>,
+    /// The first edge that is a connector.
+    first_connector: u32,
 }
 
 impl Splitter {
@@ -58,13 +61,17 @@ impl Splitter {
             curves: old.curves.clone(),
             around: (0..old.points.len() as u32).map(|v| old.around(v).to_vec()).collect(),
             cuts: vec![Vec::new(); old.edges.len()],
+            first_connector: u32::MAX / 2,
         }
     }
 
     /// The vertex at the end of a neck, a new one inside an edge.
     fn vertex(&mut self, end: End, x: f64) -> u32 {
         match end {
-            End::Vertex(vertex) => vertex,
+            End::Corner(half) => {
+                let edge = &self.edges[(half / 2) as usize];
+                if half.is_multiple_of(2) { edge.from } else { edge.to }
+            }
             End::Edge(edge) => {
                 let vertex = self.points.len() as u32;
                 let y = self.curves[self.edges[edge as usize].curve as usize].y_at(x);
@@ -97,6 +104,7 @@ impl Splitter {
                 *arrival = 2 * last as u32 + 1;
             }
         }
+        self.first_connector = self.edges.len() as u32;
         parts
     }
 
@@ -106,13 +114,30 @@ impl Splitter {
         parts[parts.partition_point(begins) - 1]
     }
 
+    /// Enters the next edge into the rotations at its two ends. Where it leaves a vertex it follows the half-edge that has its
+    /// cell on the left; of two in one corner, the one upwards comes first after a right edge, and last after a left one.
+    fn turn_off(&mut self, ends: [End; 2], vertices: [u32; 2], parts: &[Vec<u32>]) {
+        let edge = self.edges.len() as u32;
+        for (side, half) in [(0, 2 * edge), (1, 2 * edge + 1)] {
+            let around = &mut self.around[vertices[side] as usize];
+            let corner = match ends[side] {
+                End::Corner(half) if half % 2 == 1 => {
+                    let parts = &parts[(half / 2) as usize];
+                    2 * parts[parts.len() - 1] + 1
+                }
+                End::Corner(half) => half,
+                End::Edge(_) => around[1 - side],
+            };
+            let place = around.iter().position(|known| *known == corner).map_or(around.len(), |place| place + 1);
+            let is_other = |known: &HalfEdge| *known >= 2 * self.first_connector && known % 2 != half % 2;
+            let last = (half % 2 == 0) == (corner % 2 == 1);
+            let skipped = around[place..].iter().take_while(|known| last && is_other(known)).count();
+            around.insert(place + skipped, half);
+        }
+    }
+
     /// Adds an edge between two vertices, the lower one first.
     fn connect(&mut self, [low, high]: [u32; 2], face: u32, pieces: &mut Pieces) {
-        let edge = self.edges.len() as u32;
-        self.around[low as usize].push(2 * edge);
-        let above = &mut self.around[high as usize];
-        let lefts = above.iter().take_while(|half| **half % 2 == 1).count();
-        above.insert(lefts, 2 * edge + 1);
         let curve = self.curves.len() as u32;
         let [p, q] = [low, high].map(|v| self.points[v as usize]);
         let first = pieces.points.len() as u32;

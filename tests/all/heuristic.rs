@@ -80,7 +80,8 @@ fn a_narrow_corridor_is_cut_off_its_chambers() {
     // In a unit box of side 16 the corridors are 7e-15 and 1e-12 wide.
     let (a, b) = passage(Fit::Wider(43));
     let with = summed(&a, &b, Some(THRESHOLD));
-    assert_eq!(with.rejected.map(|r| (r.connectors, r.cells)), Some((2, 1)));
+    // Vertices of the convolution on its sides cut the corridor in pieces.
+    assert!(with.rejected.is_some_and(|r| r.cells > 0 && r.connectors == r.cells + 1), "{:?}", with.rejected);
     assert!(with.arrangement.graph.euler().holds());
     assert_eq!((summed(&a, &b, None).region.loops.len(), with.region.loops.len()), (2, 3));
     let (a, b) = passage(Fit::Wider(36));
