@@ -10,8 +10,11 @@ pub(super) fn settle(arrangement: &mut Arrangement, refined: &Refined) {
         return;
     }
     let mut cells = Cells::new(&arrangement.graph);
-    for &[below, above] in &refined.borders {
-        cells.join_faces(2 * below, 2 * above + 1);
+    for (trapezoid, [below, above]) in arrangement.trapezoids.iter().zip(&refined.borders) {
+        let sides = [2 * below, 2 * above + 1];
+        if sides.iter().all(|half| arrangement.graph.face(*half) == trapezoid.face) {
+            cells.join_faces(sides[0], sides[1]);
+        }
     }
     cells.join_far(arrangement, refined);
     cells.join_stray(&arrangement.graph, refined);
@@ -132,14 +135,18 @@ impl Cells {
                 windings.push(graph.windings[graph.face(half) as usize]);
             }
         }
+        // Where an inverted trapezoid is next to no edge of its face, any part of that face will do.
+        let mut part = vec![0; graph.windings.len()];
+        (0..far).for_each(|half| part[graph.face(half) as usize] = number[self.root(half) as usize]);
+        for (trapezoid, [below, above]) in arrangement.trapezoids.iter_mut().zip(&refined.borders) {
+            let side = [2 * below, 2 * above + 1].into_iter().find(|half| graph.face(*half) == trapezoid.face);
+            trapezoid.face = side.map_or(part[trapezoid.face as usize], |half| number[self.root(half) as usize]);
+        }
         for (e, edge) in (0..).zip(&mut graph.edges) {
             edge.above = number[self.root(2 * e) as usize];
             edge.below = number[self.root(2 * e + 1) as usize];
         }
         graph.windings = windings;
-        for (trapezoid, [below, _]) in arrangement.trapezoids.iter_mut().zip(&refined.borders) {
-            trapezoid.face = graph.edges[*below as usize].above;
-        }
     }
 }
 
