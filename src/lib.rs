@@ -17,6 +17,7 @@ pub mod exact;
 pub mod extract;
 pub mod format;
 pub mod frame;
+pub mod heuristic;
 pub mod iterate;
 mod joint;
 mod nesting;

@@ -4,11 +4,12 @@ use crate::arrangement::{Arrangement, arrange_by};
 use crate::convolution::{kinetic_by, monotonic_by, ordered};
 use crate::extract::{outline, region};
 use crate::frame::Frame;
+use crate::heuristic::{Rejected, reject};
 use crate::piece::{Piece, Pieces};
 use crate::region::Region;
 use crate::robustness::Robustness;
 use crate::smooth::{Smooth, SmoothError};
-use crate::tidy::tidied;
+use crate::tidy::{is_curled, tidied};
 use std::time::{Duration, Instant};
 
 /// Which convolution a sum is extracted from.
@@ -22,12 +23,15 @@ pub enum Convolution {
 }
 
 /// What can be chosen about a sum.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Options {
     /// The convolution.
     pub convolution: Convolution,
     /// The robustness steps that are taken.
     pub robustness: Robustness,
+    /// The threshold below which cells are not believed to be free (MS 8.2), in unit-box lengths; none rejects no cells.
+    /// See [`crate::heuristic`].
+    pub threshold: Option<f64>,
 }
 
 /// Time of each stage.
@@ -37,7 +41,7 @@ pub struct Times {
     pub convolution: Duration,
     /// Arrangement.
     pub arrangement: Duration,
-    /// Extraction.
+    /// Extraction, and the heuristic.
     pub extraction: Duration,
 }
 
@@ -52,6 +56,8 @@ pub struct Sum {
     pub frames: (Frame, Frame),
     /// The arrangement of the convolution.
     pub arrangement: Arrangement,
+    /// What the heuristic did, if there was a threshold. Its connectors are in the arrangement, not in the convolution.
+    pub rejected: Option<Rejected>,
     /// Time of each stage.
     pub times: Times,
 }
@@ -89,23 +95,30 @@ pub fn sum(a: &Region, b: &Region, options: &Options) -> Result<Sum, SumError> {
     let plane = pieces.is_none();
     let (convolution, order) = pieces.unwrap_or_else(|| (Pieces { base: [1, 0], ..Pieces::default() }, None));
     let convolved = Instant::now();
-    let arrangement = match &order {
+    let mut arrangement = match &order {
         None => arrange_by(&convolution, options.robustness),
         Some(order) => ordered::arrange(&convolution, order, options.robustness),
     };
     let arranged = Instant::now();
-    let loops = outline(&arrangement, &convolution, |w| w[0] != 0);
+    let mut with_connectors = options.threshold.map(|_| convolution.clone());
+    let threshold = options.threshold.unwrap_or_default();
+    let rejected = with_connectors.as_mut().map(|pieces| reject(&mut arrangement, pieces, threshold));
+    let loops = outline(&arrangement, with_connectors.as_ref().unwrap_or(&convolution), |w| w[0] != 0);
     let region = region(&loops, convolution.base[0] != 0 || plane, |p| frames.0.sum_to_input(&frames.1, p));
     let times =
         Times { convolution: convolved - start, arrangement: arranged - convolved, extraction: arranged.elapsed() };
-    Ok(Sum { region, convolution, frames, arrangement, times })
+    Ok(Sum { region, convolution, frames, arrangement, rejected, times })
 }
 
-/// Smooths an operand, tidied if need be: results of the engine have loops that cross or fold by a rounding. An operand
-/// that cannot be helped is refused for what is wrong with it as it is.
+/// Smooths an operand, tidied if need be: results of the engine have loops that cross, fold or curl by a rounding. An operand
+/// that cannot be helped is taken, or refused, as it is.
 fn smooth(region: &Region, frame: &Frame, robustness: Robustness) -> Result<Smooth, SmoothError> {
     let smooth = |region: &Region| Smooth::by(region, frame, robustness);
-    smooth(region).or_else(|reason| tidied(region).and_then(|(tidied, _)| smooth(&tidied).ok()).ok_or(reason))
+    let plain = smooth(region);
+    if plain.is_ok() && !is_curled(region) {
+        return plain;
+    }
+    tidied(region).and_then(|(tidied, _)| smooth(&tidied).ok()).map_or(plain, Ok)
 }
 
 impl Sum {

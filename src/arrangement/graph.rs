@@ -126,6 +126,26 @@ impl Graph {
         number
     }
 
+    /// A map from its parts: the half-edges that leave each vertex counter-clockwise from the upper left, as edges run, and
+    /// the winding numbers of the faces that the edges name.
+    pub(crate) fn assemble(
+        points: Vec<DVec2>,
+        edges: Vec<Edge>,
+        curves: Vec<Curve>,
+        rotations: &[Vec<HalfEdge>],
+        windings: Vec<[i32; 2]>,
+        winding_conflicts: usize,
+    ) -> Self {
+        let slot = vec![0; 2 * edges.len()];
+        let mut graph = Self { points, edges, curves, windings, winding_conflicts, slot, ..Self::new() };
+        for rotation in rotations {
+            graph.first_around.push(graph.around.len() as u32);
+            rotation.iter().for_each(|half| graph.leave(*half));
+        }
+        graph.first_around.push(graph.around.len() as u32);
+        graph
+    }
+
     /// The vertex a half-edge leaves.
     #[must_use]
     pub fn origin(&self, half: HalfEdge) -> u32 {
@@ -166,6 +186,14 @@ impl Graph {
     #[must_use]
     pub fn next(&self, half: HalfEdge) -> HalfEdge {
         self.clockwise(half ^ 1)
+    }
+
+    /// The half-edge before it along that boundary.
+    #[must_use]
+    pub fn previous(&self, half: HalfEdge) -> HalfEdge {
+        let around = self.around(self.origin(half));
+        let place = self.slot[half as usize] - self.first_around[self.origin(half) as usize];
+        around[(place as usize + 1) % around.len()] ^ 1
     }
 
     /// Counts what Euler's formula needs, independently of how the sweep assigned faces.

@@ -13,6 +13,7 @@
 
 mod cancel;
 mod edge;
+mod fold;
 mod lead;
 mod merge;
 mod weld;
@@ -22,6 +23,7 @@ use crate::arrangement::cross::EPS;
 use crate::frame::Frame;
 use crate::region::{Curve, Node, Region};
 use crate::smooth::Smooth;
+use crate::validate::validate;
 use edge::{Edge, Net};
 use glam::DVec2;
 use std::f64::consts::FRAC_PI_2;
@@ -52,14 +54,29 @@ pub fn tidied(region: &Region) -> Option<(Region, f64)> {
     }
     let frame = Frame::shared(&[region]);
     let net = net(region, &frame)?;
-    let farthest = region.loops.iter().flatten().map(|n| n.x.abs().max(n.y.abs())).fold(0.0, f64::max);
-    let size = frame.length_to_unit(farthest).max(1.0);
+    let size = size(region, &frame);
     TOLERANCES.iter().find_map(|eps| {
         let tolerance = eps * EPS * size;
         let tidied = within(&net, tolerance, region.unbounded, &frame);
         let fit = Smooth::new(&tidied, &Frame::shared(&[&tidied])).is_ok();
         fit.then(|| (tidied, frame.length_to_input(tolerance)))
     })
+}
+
+/// Whether a region may make curls of the size of a rounding: it folds back on itself within the greatest tolerance, and
+/// it is not valid. Two curls in opposite directions leave the turning number of a loop as it is, but not its sums: at
+/// either one the whole other operand comes in once too often or too seldom.
+#[must_use]
+pub fn is_curled(region: &Region) -> bool {
+    let frame = Frame::shared(&[region]);
+    let tolerance = TOLERANCES[TOLERANCES.len() - 1] * EPS * size(region, &frame);
+    net(region, &frame).is_some_and(|net| fold::folds(&net, tolerance)) && validate(region).is_err()
+}
+
+/// The greatest coordinate in the unit box of the region, and no less than that.
+fn size(region: &Region, frame: &Frame) -> f64 {
+    let farthest = region.loops.iter().flatten().map(|n| n.x.abs().max(n.y.abs())).fold(0.0, f64::max);
+    frame.length_to_unit(farthest).max(1.0)
 }
 
 /// Tidies within a tolerance in the unit box.

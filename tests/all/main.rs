@@ -10,6 +10,7 @@ mod exact;
 mod families;
 mod frame;
 mod fuzzing;
+mod heuristic;
 mod iterated;
 mod metamorphic;
 mod monotonic;

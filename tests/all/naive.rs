@@ -53,7 +53,7 @@ fn assert_needed(step: &str, a: &Region, b: &Region) {
 }
 
 fn sum_without(step: Step, convolution: Convolution, a: &Region, b: &Region) -> Sum {
-    sum(a, b, &Options { convolution, robustness: Robustness::ALL.without(step) }).expect("valid")
+    sum(a, b, &Options { convolution, robustness: Robustness::ALL.without(step), ..Options::default() }).expect("valid")
 }
 
 /// Nearly upright bars: closed forms place crossings of steep lines a rounding outside of them.
@@ -216,7 +216,7 @@ proptest! {
     ) {
         let robustness = steps.iter().fold(Robustness::ALL, |all, (step, _)| all.without(*step));
         let b = if same { copy.negated() } else { other };
-        let sum = sum(&a, &b, &Options { convolution, robustness }).expect("valid");
+        let sum = sum(&a, &b, &Options { convolution, robustness, ..Options::default() }).expect("valid");
         prop_assert!(sum.region.loops.iter().flatten().all(|n| n.x.is_finite() && n.y.is_finite()));
         prop_assert!(sum.arrangement.graph.edges.iter().all(|e| e.to != u32::MAX));
         if robustness.takes(Step::Gather) {

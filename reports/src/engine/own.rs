@@ -2,9 +2,11 @@
 //!
 //! `naive-kinetic` and `naive-monotonic` are the same algorithms in plain doubles, the baseline of MS 8.3;
 //! `kinetic-without-STEP` and `monotonic-without-STEP` leave out one robustness step, to see what it costs and does.
+//! `kinetic-heuristic` is the kinetic one with the heuristic against falsely free points (MS 8.2).
 
 use super::cells::cells;
 use super::{Abilities, Answer, Counters, Engine, EngineError, Times};
+use arcsum::heuristic::THRESHOLD;
 use arcsum::region::Region;
 use arcsum::robustness::{Robustness, Step};
 use arcsum::sum::{Convolution, Options, Sum, sum};
@@ -24,13 +26,16 @@ impl Own {
             Convolution::Kinetic => "kinetic",
             Convolution::Monotonic => "monotonic",
         };
-        Self { name: name.to_owned(), options: Options { convolution, robustness: Robustness::ALL } }
+        Self { name: name.to_owned(), options: Options { convolution, ..Options::default() } }
     }
 
     /// The engine of this name, if it is one of them.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
-        let (whole, robustness) = if let Some(whole) = name.strip_prefix("naive-") {
+        let threshold = (name == "kinetic-heuristic").then_some(THRESHOLD);
+        let (whole, robustness) = if threshold.is_some() {
+            ("kinetic", Robustness::ALL)
+        } else if let Some(whole) = name.strip_prefix("naive-") {
             (whole, Robustness::NONE)
         } else if let Some((whole, left_out)) = name.split_once("-without-") {
             let (step, _) = Step::ALL.into_iter().find(|(_, known)| *known == left_out)?;
@@ -43,7 +48,7 @@ impl Own {
             "monotonic" => Convolution::Monotonic,
             _ => return None,
         };
-        Some(Self { name: name.to_owned(), options: Options { convolution, robustness } })
+        Some(Self { name: name.to_owned(), options: Options { convolution, robustness, threshold } })
     }
 }
 

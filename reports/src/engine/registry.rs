@@ -10,10 +10,13 @@ pub const BUILT_IN: &[&str] = &["kinetic", "monotonic"];
 /// The baselines without any (MS 8.3).
 pub const NAIVE: &[&str] = &["naive-kinetic", "naive-monotonic"];
 
+/// The kinetic convolution with the heuristic against falsely free points (MS 8.2).
+pub const HEURISTIC: &[&str] = &["kinetic-heuristic"];
+
 /// A name that is no engine's.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("no engine is called {0}; there are {known}, the first two also with -without-{steps}, and cmd:PROGRAM",
-    known = [BUILT_IN, NAIVE].concat().join(", "), steps = arcsum::robustness::Step::ALL.map(|(_, name)| name).join("|"))]
+    known = [BUILT_IN, NAIVE, HEURISTIC].concat().join(", "), steps = arcsum::robustness::Step::ALL.map(|(_, name)| name).join("|"))]
 pub struct NoSuchEngine(pub String);
 
 /// The engine of this name.
@@ -58,16 +61,23 @@ mod tests {
     #[test]
     fn engines_answer_to_their_names() {
         let steps = Step::ALL.map(|(_, step)| format!("monotonic-without-{step}"));
-        for name in BUILT_IN.iter().chain(NAIVE).map(|name| (*name).to_owned()).chain(steps) {
+        for name in BUILT_IN.iter().chain(NAIVE).chain(HEURISTIC).map(|name| (*name).to_owned()).chain(steps) {
             assert_eq!(facts(&name).unwrap().name, name);
         }
     }
 
     #[test]
     fn others_are_refused() {
-        for name in
-            ["", "naive", "naive-", "naive-kinetic-without-gather", "kinetic-without-", "kinetic-without-x", "cmd:"]
-        {
+        for name in [
+            "",
+            "naive",
+            "naive-",
+            "naive-kinetic-heuristic",
+            "naive-kinetic-without-gather",
+            "kinetic-without-",
+            "kinetic-without-x",
+            "cmd:",
+        ] {
             let refusal = engine(name).err().unwrap().to_string();
             assert!(refusal.contains("naive-monotonic") && refusal.contains("late-swaps"), "{refusal}");
         }
