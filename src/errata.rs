@@ -17,7 +17,6 @@
 //! | 3 | the winding number counts the components of A ∩ (t - B) | it is the Euler characteristic: holes are filled unless the partner fits, [`crate::convolution::fill`] |
 //! | 2 | the extension to several loops is straightforward | it is the fill rule |
 //! | 4 | negative winding numbers are impossible in exact arithmetic | possible with holes that should have been filled |
-//! | 7.1 | rule 4, L1 + L2 <= U1 + U2 wherever both run | only as far as the shorter chain of each pair reaches: [`crate::convolution::order`] |
 //! | 7.1 | the convolution order is enforced between all related segments | it speaks of ordinates at one abscissa: where a line rises by much within a rounding of x, and between verticals, it says nothing |
 //! | 5.1 | T segments are boundaries | reversed boundaries: [`crate::chain`] and the convolution |
 //! | 4.2 | vertical distance in Theorems 1 and 3 | end points have rounded abscissas, so on steep pieces only a Hausdorff distance can be small |

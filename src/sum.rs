@@ -1,4 +1,5 @@
-//! The approximate Minkowski sum: normalise, convolve, arrange, extract (MS 4, with the kinetic convolution).
+//! The approximate Minkowski sum: normalise, convolve, arrange, extract (MS 4 with the kinetic convolution, MS 6 and 7 with the
+//! monotonic one).
 
 use crate::arrangement::{Arrangement, arrange_by};
 use crate::convolution::{kinetic_by, monotonic_by, ordered};

@@ -13,7 +13,7 @@ pub struct Audit {
     pub late: usize,
     /// Swaps that brought the curves ending at a vertex together.
     pub gather: usize,
-    /// Swaps refused because the order is known to be right.
+    /// How often a swap was refused because the order is known to be right; a pair counts each time it is asked about.
     pub cancelled: usize,
     /// Gather swaps against an order that is known.
     pub order_conflict: usize,

@@ -18,7 +18,7 @@ use clap::Args;
 pub struct VerifyArgs {
     /// Files, folders, families (`fork`), or families of one size (`fork_5`); all families without any.
     cases: Vec<String>,
-    /// An engine: `kinetic`, `monotonic`, one of these as `naive-kinetic` or `kinetic-without-STEP`, or `cmd:PROGRAM`; can
+    /// An engine: `kinetic`, `monotonic`, `kinetic-heuristic`, `naive-kinetic`, `kinetic-without-STEP`, or `cmd:PROGRAM`; can
     /// be given again.
     #[arg(long = "engine", default_value = "kinetic")]
     engines: Vec<String>,

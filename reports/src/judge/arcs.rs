@@ -5,6 +5,7 @@ use super::Judgement;
 use crate::bridge::{plain, unit};
 use crate::cases::Case;
 use crate::engine::Answer;
+use arcsum_oracle::certified::meet::LIMIT;
 use arcsum_oracle::certified::reference::Reference;
 use arcsum_oracle::error::{Budget, OracleError};
 
@@ -17,8 +18,9 @@ fn measured(case: &Case, answer: &Answer) -> Result<Judgement, OracleError> {
     let unit = unit(&case.a, &case.b);
     let reference = Reference::new(&plain(&case.a), &plain(&case.b), unit, Budget::default())?;
     if reference.undecided() > 0 {
-        let note = format!("{} stretches of sum curves undecided at 4096 bits", reference.undecided());
-        return Ok(Judgement { exact_bits: Some(4096), ..Judgement::undecided(note) });
+        let bits = LIMIT.bits();
+        let note = format!("{} stretches of sum curves undecided at {bits} bits", reference.undecided());
+        return Ok(Judgement { exact_bits: Some(bits), ..Judgement::undecided(note) });
     }
     match reference.measure(&plain(&answer.region))? {
         Some(bracket) => {
