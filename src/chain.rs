@@ -92,14 +92,14 @@ impl Chains {
 
     /// The chain of a segment, given by its loop and its place there.
     #[must_use]
-    pub fn of_segment(&self, of_loop: usize, index: usize) -> Option<usize> {
-        self.of_segment[of_loop].get(index).copied().filter(|chain| *chain != NONE)
+    pub fn of_segment(&self, of_loop: usize, index: usize) -> usize {
+        self.of_segment[of_loop][index]
     }
 
-    /// The upper or lower chain that passes or ends at a vertex.
+    /// The upper or lower chain that passes or ends at a vertex; there is one.
     #[must_use]
-    pub fn of_vertex(&self, vertex: u32, upper: bool) -> Option<usize> {
-        Some(self.of_vertex[vertex as usize][usize::from(upper)]).filter(|chain| *chain != NONE)
+    pub fn of_vertex(&self, vertex: u32, upper: bool) -> usize {
+        self.of_vertex[vertex as usize][usize::from(upper)]
     }
 
     fn add(&mut self, of_loop: usize, segs: &[Seg]) {

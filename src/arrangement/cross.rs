@@ -83,10 +83,8 @@ pub trait CrossingModule {
         None
     }
 
-    /// The pieces at an abscissa about whose order with this one something may be known.
-    fn related(&self, _piece: u32, _x: f64) -> Vec<u32> {
-        Vec::new()
-    }
+    /// Adds the pieces at an abscissa about whose order with this one something may be known.
+    fn related(&self, _piece: u32, _x: f64, _found: &mut Vec<u32>) {}
 }
 
 /// The honest module: closed forms in doubles, made consistent with point tests at the ends and between crossings.

@@ -6,7 +6,7 @@
 
 use super::envelope::{Span, envelope};
 use super::part::part;
-use super::sums::{Summand, Sums, Taken, straight};
+use super::sums::{Sums, Taken, straight};
 use crate::angle::Ang;
 use crate::arrangement::cross::CrossingModule;
 use crate::chain::Chain;
@@ -14,13 +14,14 @@ use crate::piece::{Piece, Source};
 use glam::DVec2;
 
 /// The crust of two chains.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Crust {
-    /// Its pieces from left to right with what they are sums of, each running the way of the chains. The verticals that
-    /// close it are not among them.
-    pub pieces: Vec<(Piece, [Summand; 2])>,
-    /// The verticals.
-    pub closers: Vec<Piece>,
+    /// Whether the region lies below it.
+    upper: bool,
+    /// The parts of sum segments that it consists of, from left to right. The verticals that close it are not among them.
+    pub spans: Vec<Span>,
+    /// The sums of the left and of the right ends of the chains.
+    ends: [u32; 2],
 }
 
 /// Which sums of chains count as convexly compatible.
@@ -50,34 +51,34 @@ fn faces(normal: Ang, up: bool) -> bool {
     if up { Ang::RIGHT < normal && normal < Ang::LEFT } else { normal > Ang::LEFT }
 }
 
-/// The crust of a chain of A and a chain of B of the same kind, from those of the sum segments taken that are theirs and run
-/// forward.
-pub fn crust<M: CrossingModule>(
-    sums: &mut Sums,
-    [a, b]: [&Chain; 2],
-    taken: &Taken,
-    own: impl Iterator<Item = usize> + Clone,
-    module: &M,
-) -> Crust {
-    let (upper, points) = (a.upper, sums.points());
-    let pieces: Vec<&Piece> = own.clone().map(|k| &taken.pieces[k]).collect();
-    let summands: Vec<[Summand; 2]> = own.map(|k| taken.summands[k]).collect();
-    let spans = envelope(points, &pieces, upper, module);
-    let run = |left: u32, right: u32| if upper { (right, left) } else { (left, right) };
-    let cut = |span: &Span| {
-        let (tail, head) = run(span.left, span.right);
-        (part(points, pieces[span.piece], tail, head), summands[span.piece])
-    };
-    let cut = spans.iter().map(cut).collect();
+/// The crust of a chain of A and a chain of B of the same kind, from left to right, from those of the sum segments taken that
+/// are theirs and run forward.
+pub fn crust<M: CrossingModule>(sums: &mut Sums, [a, b]: [&Chain; 2], taken: &Taken, own: &[u32], module: &M) -> Crust {
+    let upper = a.upper;
+    let spans = envelope(sums.points(), &taken.pieces, own, upper, module);
     let (tail, head) = (sums.corner(a.tail(), b.tail()), sums.corner(a.head(), b.head()));
-    let (left, right) = run(tail, head);
-    let mut stops = vec![left];
-    stops.extend(spans.iter().flat_map(|span| [span.left, span.right]));
-    stops.push(right);
-    let points = sums.points();
-    let closer = |pair: &[u32]| {
-        let (tail, head) = run(pair[0], pair[1]);
-        (tail != head).then(|| straight(points, tail, head, Source { first: u32::MAX, second: head }))
-    };
-    Crust { pieces: cut, closers: stops.chunks(2).filter_map(closer).collect() }
+    let ends = if upper { [head, tail] } else { [tail, head] };
+    Crust { upper, spans, ends }
+}
+
+impl Crust {
+    /// A piece of it, running the way of the chains.
+    pub fn piece(&self, points: &[DVec2], taken: &Taken, span: &Span) -> Piece {
+        let (tail, head) = self.run(span.left, span.right);
+        part(points, &taken.pieces[span.piece], tail, head)
+    }
+
+    /// The verticals that close it.
+    pub fn closers(&self, points: &[DVec2]) -> impl Iterator<Item = Piece> {
+        let lefts = self.spans.iter().map(|span| span.left).chain([self.ends[1]]);
+        let rights = [self.ends[0]].into_iter().chain(self.spans.iter().map(|span| span.right));
+        rights.zip(lefts).filter(|(from, to)| from != to).map(|(from, to)| {
+            let (tail, head) = self.run(from, to);
+            straight(points, tail, head, Source { first: u32::MAX, second: head })
+        })
+    }
+
+    fn run(&self, left: u32, right: u32) -> (u32, u32) {
+        if self.upper { (right, left) } else { (left, right) }
+    }
 }

@@ -20,51 +20,68 @@ pub struct Span {
     pub right: u32,
 }
 
-/// The upper or lower envelope of pieces none of which is vertical, from left to right. Vertices are added where pieces are
-/// cut. Where there is no piece there is no span.
-pub fn envelope<M: CrossingModule>(points: &mut Vec<DVec2>, pieces: &[&Piece], upper: bool, module: &M) -> Vec<Span> {
-    let mut rows = rows(points, pieces);
-    if rows.len() < 2 {
-        return rows.pop().unwrap_or_default();
+/// The upper or lower envelope of some of these pieces, given by their places in the list, from left to right. None of them
+/// is vertical. Of pieces that are equal the first is taken. Vertices are added where pieces are cut. Where there is no piece
+/// there is no span.
+pub fn envelope<M: CrossingModule>(
+    points: &mut Vec<DVec2>,
+    pieces: &[Piece],
+    own: &[u32],
+    upper: bool,
+    module: &M,
+) -> Vec<Span> {
+    let mut spans = sorted(points, pieces, own);
+    if !follow_each_other(points, &spans) {
+        let curves: Vec<Option<Curve>> = own.iter().map(|k| curve(points, &pieces[*k as usize])).collect();
+        let mut rows = rows(points, &spans);
+        while rows.len() > 1 {
+            let merged = rows.chunks(2).map(|pair| match pair {
+                [first, second] => {
+                    let parts = Vec::with_capacity(2 * (first.len() + second.len()));
+                    Merge { points, curves: &curves, upper, module, parts }.run(first, second)
+                }
+                rest => rest.concat(),
+            });
+            rows = merged.collect();
+        }
+        spans = rows.pop().unwrap_or_default();
     }
-    let end = |v: u32, points: &[DVec2]| (v, points[v as usize]);
-    let curve = |(i, p): (usize, &&Piece)| {
-        let whole = p.whole.map(|v| points[v as usize]);
-        Curve::new(i as u32, p, end(p.tail, points), end(p.head, points), whole)
-    };
-    let curves: Vec<Option<Curve>> = pieces.iter().enumerate().map(curve).collect();
-    while rows.len() > 1 {
-        let merged = rows.chunks(2).map(|pair| match pair {
-            [first, second] => {
-                let parts = Vec::with_capacity(2 * (first.len() + second.len()));
-                Merge { points, curves: &curves, upper, module, parts }.run(first, second)
-            }
-            rest => rest.concat(),
-        });
-        rows = merged.collect();
-    }
-    rows.pop().unwrap_or_default()
+    spans.iter_mut().for_each(|span| span.piece = own[span.piece] as usize);
+    spans
 }
 
-/// The pieces in as few rows as can be, each from left to right without overlap.
-fn rows(points: &[DVec2], pieces: &[&Piece]) -> Vec<Vec<Span>> {
+/// The spans of whole pieces by their left ends, each with its place among these.
+fn sorted(points: &[DVec2], pieces: &[Piece], own: &[u32]) -> Vec<Span> {
     let x = |vertex: u32| points[vertex as usize].x;
-    let span = |(piece, p): (usize, &&Piece)| {
-        let (left, right) = if x(p.tail) < x(p.head) { (p.tail, p.head) } else { (p.head, p.tail) };
+    let span = |(piece, k): (usize, &u32)| {
+        let Piece { tail, head, .. } = pieces[*k as usize];
+        let (left, right) = if x(tail) < x(head) { (tail, head) } else { (head, tail) };
         Span { piece, left, right }
     };
-    let mut spans: Vec<Span> = pieces.iter().enumerate().map(span).collect();
+    let mut spans: Vec<Span> = own.iter().enumerate().map(span).collect();
     spans.sort_by(|s, t| x(s.left).total_cmp(&x(t.left)));
-    if spans.windows(2).all(|pair| x(pair[0].right) <= x(pair[1].left)) {
-        return vec![spans];
-    }
+    spans
+}
+
+fn follow_each_other(points: &[DVec2], spans: &[Span]) -> bool {
+    spans.windows(2).all(|pair| points[pair[0].right as usize].x <= points[pair[1].left as usize].x)
+}
+
+fn curve(points: &[DVec2], piece: &Piece) -> Option<Curve> {
+    let end = |v: u32| (v, points[v as usize]);
+    Curve::new(0, piece, end(piece.tail), end(piece.head), piece.whole.map(|v| points[v as usize]))
+}
+
+/// Spans in as few rows as can be, each from left to right without overlap, from spans by their left ends.
+fn rows(points: &[DVec2], spans: &[Span]) -> Vec<Vec<Span>> {
+    let x = |vertex: u32| points[vertex as usize].x;
     let mut rows: Vec<Vec<Span>> = Vec::new();
-    for span in &spans {
+    for &span in spans {
         match rows.iter_mut().find(|row| row.last().is_none_or(|last| x(last.right) <= x(span.left))) {
-            Some(row) => row.push(*span),
+            Some(row) => row.push(span),
             None => {
                 let mut row = Vec::with_capacity(spans.len());
-                row.push(*span);
+                row.push(span);
                 rows.push(row);
             }
         }

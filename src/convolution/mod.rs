@@ -73,10 +73,9 @@ fn crusts_and_boundaries<M: CrossingModule>(
     rule: Rule,
     module: &M,
 ) -> Option<(Pieces, Order)> {
-    let (mut order, mut pair) = (Order::default(), 0);
+    let mut order = Order::default();
     let (sums, base) = collect(a, b, rounding, |sums, filled| {
-        Monotonic::new(sums, &mut order, filled, pair, (rule, module)).convolve();
-        pair += 1;
+        Monotonic::new(sums, &mut order, filled, (rule, module)).convolve();
     })?;
     order.finish();
     Some((sums.finish(base), order))

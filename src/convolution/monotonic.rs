@@ -16,6 +16,7 @@ use crate::arrangement::cross::CrossingModule;
 use crate::chain::{Chain, Chains, Turning};
 use crate::piece::Piece;
 use crate::smooth::Kind as SegKind;
+use glam::DVec2;
 use rustc_hash::FxHashMap as HashMap;
 
 /// The monotonic convolution of two components.
@@ -25,24 +26,17 @@ pub struct Monotonic<'s, 'a, M> {
     rule: Rule,
     module: &'s M,
     chains: [Chains; 2],
-    /// Which pair of components this is.
-    pair: u32,
     /// The stretches of crusts that lie on a moved boundary, from left to right.
     cancelled: HashMap<[Summand; 2], Vec<[u32; 2]>>,
 }
 
 impl<'s, 'a, M: CrossingModule> Monotonic<'s, 'a, M> {
     /// Makes ready for two components.
-    pub fn new(
-        sums: &'s mut Sums<'a>,
-        order: &'s mut Order,
-        filled: &Filled,
-        pair: u32,
-        (rule, module): (Rule, &'s M),
-    ) -> Self {
+    pub fn new(sums: &'s mut Sums<'a>, order: &'s mut Order, filled: &Filled, (rule, module): (Rule, &'s M)) -> Self {
         let (a, b) = sums.regions();
         let chains = [Chains::new(a, &filled.a), Chains::new(b, &filled.b)];
-        Self { sums, order, rule, module, chains, pair, cancelled: HashMap::default() }
+        order.begin(chains.each_ref().map(|chains| chains.turnings.len()));
+        Self { sums, order, rule, module, chains, cancelled: HashMap::default() }
     }
 
     /// Adds their convolution.
@@ -65,63 +59,79 @@ impl<'s, 'a, M: CrossingModule> Monotonic<'s, 'a, M> {
         convolve(self.sums, self.chains.each_ref().map(|chains| Side::of_chains(chains, upper)));
         self.sums.forward_only = false;
         let taken = self.sums.take_from(first);
-        let points = self.sums.points();
-        let forward = (0..taken.pieces.len()).filter(|&k| self.rule.takes(&taken.pieces[k], points, upper));
-        let keys: Vec<usize> = forward.collect();
-        let key = |k: usize| {
-            let [i, j] = [0, 1].map(|operand| self.chain_of(operand, taken.summands[k][operand], upper) as u64);
-            i << 32 | j
-        };
-        let mut sorted: Vec<(u64, u32)> = keys.into_iter().map(|k| (key(k), k as u32)).collect();
-        sorted.sort_unstable();
         let kind = |operand: usize| {
             let chains = self.chains[operand].chains.iter().enumerate();
             chains.filter(|(_, chain)| chain.upper == upper).map(|(i, _)| i).collect::<Vec<_>>()
         };
-        let (all_a, all_b) = (kind(0), kind(1));
-        let mut rest = sorted.as_slice();
-        for &i in &all_a {
-            for &j in &all_b {
-                let own = rest.iter().take_while(|(key, _)| *key == (i as u64) << 32 | j as u64).count();
-                let (these, others) = rest.split_at(own);
-                rest = others;
-                self.crust(i, j, &taken, these);
+        let (of_a, of_b) = (kind(0), kind(1));
+        let (firsts, sorted) = self.by_pair(&taken, upper);
+        let width = self.chains[1].chains.len();
+        for &i in &of_a {
+            for &j in &of_b {
+                let [start, end] = [0, 1].map(|next| firsts[i * width + j + next] as usize);
+                self.crust([i, j], &taken, &sorted[start..end]);
             }
         }
     }
 
+    /// The sum segments that run forward, by the pair of chains that they are sums of: where those of each pair start, and
+    /// all of them.
+    fn by_pair(&mut self, taken: &Taken, upper: bool) -> (Vec<u32>, Vec<u32>) {
+        let points: &[DVec2] = self.sums.points();
+        let forward: Vec<bool> = taken.pieces.iter().map(|piece| self.rule.takes(piece, points, upper)).collect();
+        let width = self.chains[1].chains.len();
+        let pair = |k: usize| {
+            let [i, j] = [0, 1].map(|operand| self.chain_of(operand, taken.summands[k][operand], upper));
+            i * width + j
+        };
+        let pairs: Vec<(usize, u32)> =
+            (0..forward.len()).filter(|&k| forward[k]).map(|k| (pair(k), k as u32)).collect();
+        let mut firsts = vec![0_u32; self.chains[0].chains.len() * width + 1];
+        pairs.iter().for_each(|(pair, _)| firsts[pair + 1] += 1);
+        for pair in 1..firsts.len() {
+            firsts[pair] += firsts[pair - 1];
+        }
+        let (mut next, mut sorted) = (firsts.clone(), vec![0; pairs.len()]);
+        for (pair, k) in pairs {
+            sorted[next[pair] as usize] = k;
+            next[pair] += 1;
+        }
+        (firsts, sorted)
+    }
+
     /// The chain of one kind that a summand belongs to.
     fn chain_of(&self, operand: usize, summand: Summand, upper: bool) -> usize {
-        let chain = match summand {
+        match summand {
             Summand::Vertex(vertex) => self.chains[operand].of_vertex(vertex, upper),
             Summand::Segment(of_loop, index) => self.chains[operand].of_segment(of_loop as usize, index as usize),
-        };
-        // Every summand has a chain.
-        chain.unwrap_or(u32::MAX as usize)
+        }
     }
 
     /// Adds the crust of two chains, but for what cancels.
-    fn crust(&mut self, i: usize, j: usize, taken: &Taken, own: &[(u64, u32)]) {
+    fn crust(&mut self, [i, j]: [usize; 2], taken: &Taken, own: &[u32]) {
         let (a, b) = (&self.chains[0].chains[i], &self.chains[1].chains[j]);
-        let crust = crust(self.sums, [a, b], taken, own.iter().map(|(_, k)| *k as usize), self.module);
+        let crust = crust(self.sums, [a, b], taken, own, self.module);
         let (upper, closer) = (a.upper, [Summand::Vertex(a.tail()), Summand::Vertex(b.tail())]);
         let kind = if upper { Kind::UpperCrust } else { Kind::LowerCrust };
         let roles = [true, false].map(|left| {
             let turnings = [self.turning_of(0, i, left), self.turning_of(1, j, left)];
             (self.group(turnings), kind)
         });
-        for (piece, summands) in crust.pieces {
+        for span in &crust.spans {
+            let summands = taken.summands[span.piece];
             let Some((operand, turning)) = self.concave_end([i, j], summands) else {
+                let piece = crust.piece(self.sums.points(), taken, span);
                 self.push(piece, summands, &roles);
                 continue;
             };
-            let ends = if upper { [piece.head, piece.tail] } else { [piece.tail, piece.head] };
+            let ends = [span.left, span.right];
             self.cancelled.entry(summands).or_default().push(ends);
             let left = self.chains[operand].turnings[turning].left;
             let range = ends.map(|v| self.sums.points()[v as usize].x);
             self.order.cancel((roles[usize::from(!left)].0, moved(1 - operand, upper)), range);
         }
-        for piece in crust.closers {
+        let closers: Vec<Piece> = crust.closers(self.sums.points()).collect();
+        for piece in closers {
             self.push(piece, closer, &roles);
         }
     }
@@ -178,9 +188,8 @@ impl<'s, 'a, M: CrossingModule> Monotonic<'s, 'a, M> {
 
     /// The pair of two turning points of one handedness.
     fn group(&mut self, turnings: [usize; 2]) -> u32 {
-        let key = [self.pair, turnings[0] as u32, turnings[1] as u32];
         let Self { chains, sums, .. } = self;
-        self.order.group(key, || group(sums, chains, turnings))
+        self.order.group(turnings, || group(sums, chains, turnings))
     }
 }
 

@@ -11,7 +11,6 @@
 
 use crate::arrangement::curve::Curve;
 use crate::arrangement::known::Known;
-use rustc_hash::FxHashMap as HashMap;
 
 /// A kind of segment at a pair of turning points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -92,16 +91,36 @@ pub struct Group {
     pub common: f64,
 }
 
-/// A pair of turning points with its segments.
+/// The rows about each two kinds of segments, in either order, [`ROWS`] where there are no more of them.
+const ROWS_OF: [[[usize; 3]; 6]; 6] = {
+    let mut rows = [[[ROWS; 3]; 6]; 6];
+    let mut row = 0;
+    while row < ROWS {
+        let (lower, upper) = (TABLE[row].0 as usize, TABLE[row].1 as usize);
+        let mut slot = 0;
+        while rows[lower][upper][slot] != ROWS {
+            slot += 1;
+        }
+        rows[lower][upper][slot] = row;
+        rows[upper][lower][slot] = row;
+        row += 1;
+    }
+    rows
+};
+
+/// A pair of turning points with the stretches where a crust runs along a moved chain.
 #[derive(Clone, Debug)]
 struct Members {
     group: Group,
-    /// The pieces with the ranges of their abscissas, sorted by [`Order::finish`].
-    pieces: Vec<([f64; 2], u32)>,
-    /// The widest of these ranges.
-    widest: f64,
-    /// Where a crust runs along a moved chain.
     along: Vec<(Kind, [f64; 2])>,
+}
+
+/// A piece at a pair of turning points, with the range of its abscissas.
+#[derive(Clone, Copy, Debug)]
+struct Member {
+    group: u32,
+    range: [f64; 2],
+    piece: u32,
 }
 
 /// What a piece is at a pair of turning points.
@@ -111,42 +130,74 @@ pub type Role = (u32, Kind);
 #[derive(Clone, Debug, Default)]
 pub struct Order {
     groups: Vec<Members>,
-    index: HashMap<[u32; 3], u32>,
+    /// The group of each pair of turning points of the two components under way, `u32::MAX` if there is none yet.
+    index: Vec<u32>,
+    /// How many turning points the second component has.
+    width: usize,
     roles: Vec<Role>,
     /// Where the roles of each piece start.
     starts: Vec<u32>,
+    /// The pieces of each group from left to right, once [`Order::finish`] has sorted them.
+    members: Vec<Member>,
+    /// Where those of each group start.
+    firsts: Vec<u32>,
+    /// The widest range of a piece of each group.
+    widest: Vec<f64>,
     /// A row of the order table that is not used, for tests that show what it is good for.
     pub without: Option<usize>,
 }
 
 impl Order {
-    /// The group with this key, made if it is new.
-    pub fn group(&mut self, key: [u32; 3], make: impl FnOnce() -> Group) -> u32 {
-        let next = self.groups.len() as u32;
-        let index = *self.index.entry(key).or_insert(next);
-        if index == next {
-            self.groups.push(Members { group: make(), pieces: Vec::new(), widest: 0.0, along: Vec::new() });
+    /// Makes ready for two components with so many turning points.
+    pub fn begin(&mut self, turnings: [usize; 2]) {
+        self.width = turnings[1];
+        self.index.clear();
+        self.index.resize(turnings[0] * turnings[1], u32::MAX);
+    }
+
+    /// The group of two turning points of these components, made if it is new.
+    pub fn group(&mut self, turnings: [usize; 2], make: impl FnOnce() -> Group) -> u32 {
+        let index = &mut self.index[turnings[0] * self.width + turnings[1]];
+        if *index == u32::MAX {
+            *index = self.groups.len() as u32;
+            self.groups.push(Members { group: make(), along: Vec::new() });
         }
-        index
+        *index
     }
 
     /// Gives the next piece, between these abscissas, its roles.
     pub fn push(&mut self, range: [f64; 2], roles: &[Role]) {
         let piece = self.starts.len() as u32;
-        for (group, _) in roles {
-            let members = &mut self.groups[*group as usize];
-            members.pieces.push((range, piece));
-            members.widest = members.widest.max(range[1] - range[0]);
-        }
+        self.members.extend(roles.iter().map(|(group, _)| Member { group: *group, range, piece }));
         self.starts.push(self.roles.len() as u32);
         self.roles.extend_from_slice(roles);
     }
 
     /// Makes the order ready for questions.
     pub fn finish(&mut self) {
-        for members in &mut self.groups {
-            members.pieces.sort_unstable_by(|p, q| p.0[0].total_cmp(&q.0[0]).then(p.1.cmp(&q.1)));
+        self.starts.push(self.roles.len() as u32);
+        self.firsts = vec![0; self.groups.len() + 1];
+        self.widest = vec![0.0; self.groups.len()];
+        for Member { group, range, .. } in &self.members {
+            self.firsts[*group as usize + 1] += 1;
+            let widest = &mut self.widest[*group as usize];
+            *widest = widest.max(range[1] - range[0]);
         }
+        for group in 0..self.groups.len() {
+            self.firsts[group + 1] += self.firsts[group];
+        }
+        let mut next = self.firsts.clone();
+        let mut sorted = self.members.clone();
+        for member in &self.members {
+            let slot = &mut next[member.group as usize];
+            sorted[*slot as usize] = *member;
+            *slot += 1;
+        }
+        for own in self.firsts.windows(2) {
+            let own = &mut sorted[own[0] as usize..own[1] as usize];
+            own.sort_unstable_by(|p, q| p.range[0].total_cmp(&q.range[0]).then(p.piece.cmp(&q.piece)));
+        }
+        self.members = sorted;
     }
 
     /// Notes that a crust runs along a moved chain of this kind between two abscissas.
@@ -157,18 +208,19 @@ impl Order {
     /// What a piece is at the pairs of turning points that it belongs to.
     #[must_use]
     pub fn roles(&self, piece: u32) -> &[Role] {
-        let start = |i: usize| self.starts.get(i).map_or(self.roles.len(), |start| *start as usize);
-        &self.roles[start(piece as usize)..start(piece as usize + 1)]
+        let [start, end] = [piece, piece + 1].map(|i| self.starts[i as usize] as usize);
+        &self.roles[start..end]
     }
 
-    /// The pieces at this abscissa with an end at the same sum of turning points as this one.
-    pub fn related(&self, piece: u32, x: f64) -> impl Iterator<Item = u32> {
-        self.roles(piece).iter().flat_map(move |(group, _)| {
-            let Members { pieces, widest, .. } = &self.groups[*group as usize];
-            let first = pieces.partition_point(|(range, _)| range[0] < x - widest);
-            let near = pieces[first..].iter().take_while(move |(range, _)| range[0] <= x);
-            near.filter(move |(range, _)| x <= range[1]).map(|(_, piece)| *piece)
-        })
+    /// Adds the pieces at this abscissa with an end at the same sum of turning points as this one.
+    pub fn related(&self, piece: u32, x: f64, found: &mut Vec<u32>) {
+        for (group, _) in self.roles(piece) {
+            let group = *group as usize;
+            let members = &self.members[self.firsts[group] as usize..self.firsts[group + 1] as usize];
+            let first = members.partition_point(|member| member.range[0] < x - self.widest[group]);
+            let near = members[first..].iter().take_while(|member| member.range[0] <= x);
+            found.extend(near.filter(|member| x <= member.range[1]).map(|member| member.piece));
+        }
     }
 
     /// Whether one curve is below another just right of an abscissa, up to which both are active.
@@ -200,12 +252,13 @@ impl Order {
 impl Members {
     fn known(&self, [f, g]: [Kind; 2], x: f64, vertical: bool, without: Option<usize>) -> Known {
         let mut known = Known::NOTHING;
-        for (row, (lower, upper, when)) in TABLE.iter().enumerate() {
-            let below = (*lower, *upper) == (f, g);
-            if Some(row) == without || !(below || (*lower, *upper) == (g, f)) {
+        for &row in ROWS_OF[f as usize][g as usize].iter().take_while(|row| **row < ROWS) {
+            let (lower, _, when) = TABLE[row];
+            let below = lower == f;
+            if Some(row) == without {
                 continue;
             }
-            let Some(range) = self.range(*when, x) else { continue };
+            let Some(range) = self.range(when, x) else { continue };
             let [from, to] = self.common(range, [f, g]);
             // A vertical where some segment begins joins what comes before it with what comes after, and a rule speaks of
             // the latter only. At the sum of the turning points all begin.

@@ -52,7 +52,9 @@ impl<M: CrossingModule> CrossingModule for Ordered<'_, M> {
         if self.robustness.takes(Step::OrderedInsertion) { self.order.known(f, g, x).below } else { None }
     }
 
-    fn related(&self, piece: u32, x: f64) -> Vec<u32> {
-        if self.robustness.takes(Step::OrderedInsertion) { self.order.related(piece, x).collect() } else { Vec::new() }
+    fn related(&self, piece: u32, x: f64, found: &mut Vec<u32>) {
+        if self.robustness.takes(Step::OrderedInsertion) {
+            self.order.related(piece, x, found);
+        }
     }
 }

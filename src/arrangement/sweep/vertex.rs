@@ -91,9 +91,11 @@ impl<M: CrossingModule> Sweep<'_, M> {
 
     /// The highest active curve that is known to be below some curve that starts here, and the lowest one above.
     fn bounds(&self, starting: &[u32]) -> [Place; 2] {
-        let mut bounds = [NOWHERE; 2];
+        let (mut bounds, mut related) = ([NOWHERE; 2], Vec::new());
         for &new in starting {
-            for piece in self.module.related(self.curves[new as usize].piece, self.now.x) {
+            related.clear();
+            self.module.related(self.curves[new as usize].piece, self.now.x, &mut related);
+            for &piece in &related {
                 let place = self.status.place(self.curve_of[piece as usize]);
                 if place == NOWHERE {
                     continue;
