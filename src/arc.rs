@@ -216,7 +216,12 @@ impl Arc {
     /// the box of the two ends plus `q`, so rounding breaks no monotonicity.
     #[must_use]
     pub fn point_plus(&self, theta: Ang, q: DVec2, rounding: Rounding) -> DVec2 {
-        let (end, way) = self.offset(theta);
+        self.moved(self.offset(theta), q, rounding)
+    }
+
+    /// The same for a point given by its [`Arc::offset`].
+    #[must_use]
+    pub fn moved(&self, (end, way): (DVec2, DVec2), q: DVec2, rounding: Rounding) -> DVec2 {
         let (tail, head) = (self.tail + q, self.head + q);
         rounding.sum_points(end, way, q).max(tail.min(head)).min(tail.max(head))
     }

@@ -32,13 +32,13 @@ pub fn envelope<M: CrossingModule>(
 ) -> Vec<Span> {
     let mut spans = sorted(points, pieces, own);
     if !follow_each_other(points, &spans) {
-        let curves: Vec<Option<Curve>> = own.iter().map(|k| curve(points, &pieces[*k as usize])).collect();
+        let mut curves = Curves { pieces, own, made: vec![None; own.len()] };
         let mut rows = rows(points, &spans);
         while rows.len() > 1 {
             let merged = rows.chunks(2).map(|pair| match pair {
                 [first, second] => {
                     let parts = Vec::with_capacity(2 * (first.len() + second.len()));
-                    Merge { points, curves: &curves, upper, module, parts }.run(first, second)
+                    Merge { points, curves: &mut curves, upper, module, parts }.run(first, second)
                 }
                 rest => rest.concat(),
             });
@@ -67,9 +67,36 @@ fn follow_each_other(points: &[DVec2], spans: &[Span]) -> bool {
     spans.windows(2).all(|pair| points[pair[0].right as usize].x <= points[pair[1].left as usize].x)
 }
 
-fn curve(points: &[DVec2], piece: &Piece) -> Option<Curve> {
-    let end = |v: u32| (v, points[v as usize]);
-    Curve::new(0, piece, end(piece.tail), end(piece.head), piece.whole.map(|v| points[v as usize]))
+/// The curves of some pieces, made when asked for: most pieces are so far below the envelope that their boxes tell.
+struct Curves<'a> {
+    pieces: &'a [Piece],
+    own: &'a [u32],
+    made: Vec<Option<Curve>>,
+}
+
+impl Curves<'_> {
+    /// Makes the curve of the piece with this place among the own ones, if it is not there.
+    fn make(&mut self, points: &[DVec2], index: usize) {
+        if self.made[index].is_none() {
+            let piece = &self.pieces[self.own[index] as usize];
+            let end = |v: u32| (v, points[v as usize]);
+            let whole = piece.whole.map(|v| points[v as usize]);
+            self.made[index] = Curve::new(0, piece, end(piece.tail), end(piece.head), whole);
+        }
+    }
+
+    /// The least and the greatest ordinate of a piece.
+    fn y_range(&self, points: &[DVec2], index: usize) -> [f64; 2] {
+        let piece = &self.pieces[self.own[index] as usize];
+        let [p, q] = [piece.tail, piece.head].map(|v| points[v as usize].y);
+        [p.min(q), p.max(q)]
+    }
+
+    /// Whether one piece is below another, if their boxes tell.
+    fn apart(&self, points: &[DVec2], f: usize, g: usize) -> Option<bool> {
+        let [f, g] = [f, g].map(|index| self.y_range(points, index));
+        (f[1] < g[0] || g[1] < f[0]).then_some(f[1] < g[0])
+    }
 }
 
 /// Spans in as few rows as can be, each from left to right without overlap, from spans by their left ends.
@@ -107,15 +134,15 @@ struct Part {
 }
 
 /// A merge of two envelopes.
-struct Merge<'a, M> {
+struct Merge<'a, 'c, M> {
     points: &'a mut Vec<DVec2>,
-    curves: &'a [Option<Curve>],
+    curves: &'a mut Curves<'c>,
     upper: bool,
     module: &'a M,
     parts: Vec<Part>,
 }
 
-impl<M: CrossingModule> Merge<'_, M> {
+impl<M: CrossingModule> Merge<'_, '_, M> {
     fn run(mut self, first: &[Span], second: &[Span]) -> Vec<Span> {
         let (mut i, mut j) = (0, 0);
         let mut x = f64::NEG_INFINITY;
@@ -166,7 +193,13 @@ impl<M: CrossingModule> Merge<'_, M> {
 
     /// Adds the outer of two spans between two abscissas.
     fn overlap(&mut self, p: &Span, q: &Span, from: f64, to: f64) {
-        let [Some(f), Some(g)] = [p, q].map(|span| self.curves[span.piece].as_ref()) else { return };
+        if let Some(below) = self.curves.apart(self.points, p.piece, q.piece) {
+            return self.outer(below, [p, q], (None, from), (None, to));
+        }
+        for span in [p, q] {
+            self.curves.make(self.points, span.piece);
+        }
+        let [Some(f), Some(g)] = [p, q].map(|span| self.curves.made[span.piece].as_ref()) else { return };
         let exchanged = q.piece < p.piece;
         let answer = if exchanged { self.module.cross(g, f).exchanged() } else { self.module.cross(f, g) };
         let (mut below, mut start) = (answer.below, None);
@@ -205,10 +238,11 @@ impl<M: CrossingModule> Merge<'_, M> {
     /// The parts with vertices where they are cut.
     fn finish(self) -> Vec<Span> {
         let (points, curves) = (self.points, self.curves);
-        let mut vertex = |piece: usize, end: End| match (end, &curves[piece]) {
-            (End::Vertex(vertex), _) => vertex,
-            (End::At(x), curve) => {
-                points.push(DVec2::new(x, curve.as_ref().map_or(0.0, |c| c.y_at(x))));
+        let mut vertex = |piece: usize, end: End| match end {
+            End::Vertex(vertex) => vertex,
+            End::At(x) => {
+                curves.make(points, piece);
+                points.push(DVec2::new(x, curves.made[piece].as_ref().map_or(0.0, |c| c.y_at(x))));
                 (points.len() - 1) as u32
             }
         };

@@ -1,5 +1,6 @@
 //! Convolutions: closed curves whose winding numbers tell the sum from the free space (MS 3; memo B).
 
+mod cancelled;
 mod crust;
 mod envelope;
 pub mod fill;
@@ -8,6 +9,7 @@ mod monotonic;
 pub mod order;
 pub mod ordered;
 mod part;
+mod sites;
 mod sums;
 
 use crate::angle::Ang;

@@ -6,6 +6,7 @@
 //! rule has made their overlap simply connected. The moved boundaries, T segments, run backwards (memo fact 8). Where a crust
 //! runs along one, the two cancel. That is known from what the pieces are sums of, never from coordinates.
 
+use super::cancelled::Cancelled;
 use super::crust::{Rule, crust};
 use super::fill::Filled;
 use super::kinetic::{Side, convolve};
@@ -17,7 +18,6 @@ use crate::chain::{Chain, Chains, Turning};
 use crate::piece::Piece;
 use crate::smooth::Kind as SegKind;
 use glam::DVec2;
-use rustc_hash::FxHashMap as HashMap;
 
 /// The monotonic convolution of two components.
 pub struct Monotonic<'s, 'a, M> {
@@ -26,8 +26,8 @@ pub struct Monotonic<'s, 'a, M> {
     rule: Rule,
     module: &'s M,
     chains: [Chains; 2],
-    /// The stretches of crusts that lie on a moved boundary, from left to right.
-    cancelled: HashMap<[Summand; 2], Vec<[u32; 2]>>,
+    /// The stretches of crusts that lie on moved boundaries.
+    cancelled: Cancelled,
 }
 
 impl<'s, 'a, M: CrossingModule> Monotonic<'s, 'a, M> {
@@ -36,7 +36,7 @@ impl<'s, 'a, M: CrossingModule> Monotonic<'s, 'a, M> {
         let (a, b) = sums.regions();
         let chains = [Chains::new(a, &filled.a), Chains::new(b, &filled.b)];
         order.begin(chains.each_ref().map(|chains| chains.turnings.len()));
-        Self { sums, order, rule, module, chains, cancelled: HashMap::default() }
+        Self { sums, order, rule, module, chains, cancelled: Cancelled::default() }
     }
 
     /// Adds their convolution.
@@ -125,7 +125,7 @@ impl<'s, 'a, M: CrossingModule> Monotonic<'s, 'a, M> {
                 continue;
             };
             let ends = [span.left, span.right];
-            self.cancelled.entry(summands).or_default().push(ends);
+            self.cancelled.push(summands, ends);
             let left = self.chains[operand].turnings[turning].left;
             let range = ends.map(|v| self.sums.points()[v as usize].x);
             self.order.cancel((roles[usize::from(!left)].0, moved(1 - operand, upper)), range);
@@ -167,11 +167,28 @@ impl<'s, 'a, M: CrossingModule> Monotonic<'s, 'a, M> {
             });
             let Taken { pieces, summands } = self.sums.take_from(first);
             for (piece, summands) in pieces.into_iter().zip(summands) {
-                let gone = self.cancelled.get(&summands).map_or(&[][..], Vec::as_slice);
-                for rest in rest(self.sums, &piece, gone) {
-                    self.push(rest, summands, &[role]);
-                }
+                self.push_rest(&piece, summands, role);
             }
+        }
+    }
+
+    /// Adds what is left of a moved segment between the stretches that crusts run along.
+    fn push_rest(&mut self, piece: &Piece, summands: [Summand; 2], role: Role) {
+        let x = |v: u32, sums: &mut Sums| sums.points()[v as usize].x;
+        // A segment with stretches of a crust on it is not vertical.
+        let rightward = x(piece.tail, self.sums) < x(piece.head, self.sums);
+        let (mut from, right) = if rightward { (piece.tail, piece.head) } else { (piece.head, piece.tail) };
+        let mut next = self.cancelled.first(&summands);
+        loop {
+            let gone = next.map(|index| self.cancelled.stretches[index as usize]);
+            let to = gone.map_or(right, |stretch| stretch.ends[0]);
+            if from != to {
+                let (tail, head) = if rightward { (from, to) } else { (to, from) };
+                let rest = part(self.sums.points(), piece, tail, head);
+                self.push(rest, summands, &[role]);
+            }
+            let Some(stretch) = gone else { break };
+            (from, next) = (stretch.ends[1], stretch.next);
         }
     }
 
@@ -207,7 +224,7 @@ fn group(sums: &Sums, chains: &[Chains; 2], turnings: [usize; 2]) -> Group {
         if (x(u) < x(v)) == p.left { u } else { v }
     };
     let common = [shorter(0, a), shorter(1, b)];
-    let x = |p: u32, q: u32| sums.corner_point(p, q).x;
+    let x = |p: u32, q: u32| sums.corner_x(p, q);
     let ends =
         [x(a[0], b[0]), x(a[1], b[1]), x(a[0], q.vertex), x(a[1], q.vertex), x(p.vertex, b[0]), x(p.vertex, b[1])];
     let (concave, common) = ([p.concave, q.concave], x(common[0], common[1]));
@@ -231,22 +248,4 @@ fn segments(chain: &Chain, mut each: impl FnMut(Placed)) {
             each(Placed { seg: &link.seg, of_loop: chain.of_loop as u32, index: index as u32 });
         }
     }
-}
-
-/// What is left of a moved segment between the stretches that crusts run along.
-fn rest(sums: &mut Sums, piece: &Piece, gone: &[[u32; 2]]) -> Vec<Piece> {
-    if gone.is_empty() {
-        return vec![*piece];
-    }
-    let points = sums.points();
-    let x = |v: u32| points[v as usize].x;
-    // A segment with stretches of a crust on it is not vertical.
-    let rightward = x(piece.tail) < x(piece.head);
-    let (left, right) = if rightward { (piece.tail, piece.head) } else { (piece.head, piece.tail) };
-    let stops: Vec<u32> = [left].into_iter().chain(gone.iter().flatten().copied()).chain([right]).collect();
-    let kept = |pair: &[u32]| {
-        let (tail, head) = if rightward { (pair[0], pair[1]) } else { (pair[1], pair[0]) };
-        (tail != head).then(|| part(points, piece, tail, head))
-    };
-    stops.chunks(2).filter_map(kept).collect()
 }

@@ -7,6 +7,9 @@ use glam::DVec2;
 
 /// The part of a whole piece from one vertex to another, in its direction. A part too short to have a width is straight.
 pub fn part(points: &[DVec2], piece: &Piece, tail: u32, head: u32) -> Piece {
+    if [tail, head] == [piece.tail, piece.head] {
+        return *piece;
+    }
     let width = |[from, to]: [u32; 2]| points[to as usize].x - points[from as usize].x;
     if width([tail, head]) * width([piece.tail, piece.head]).signum() <= 0.0 {
         return straight(points, tail, head, piece.source);

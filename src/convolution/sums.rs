@@ -1,31 +1,16 @@
 //! Sum segments under construction: their vertices get identities, their arcs the orientation of memo B1.
 
 use super::Stop;
+use super::sites::{Place, Site, Sites};
 use crate::angle::Ang;
-use crate::arc::Arc;
 use crate::piece::{Piece, Pieces, Source};
 use crate::smooth::{Kind, Seg, Smooth};
 use crate::sum3::Rounding;
 use glam::DVec2;
 use rustc_hash::FxHashMap as HashMap;
-use std::collections::BTreeSet;
 
 /// Sums of radii up to this, in the unit box, make lines: the circle is no larger than a few roundings.
 const TINY_RADIUS: f64 = 8.0 * f64::EPSILON;
-
-/// A place on the boundary of an operand.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-enum Site {
-    Vertex(u32),
-    /// Inside an arc, given by its loop, its place in the loop, and the normal angle.
-    Inside(u32, u32, Ang),
-}
-
-/// The geometry of a site.
-enum Place {
-    Point(DVec2),
-    On(Arc, Ang),
-}
 
 /// A segment of an operand and where it stands.
 #[derive(Clone, Copy, Debug)]
@@ -59,7 +44,8 @@ pub struct Sums<'a> {
     a: &'a Smooth,
     b: &'a Smooth,
     rounding: Rounding,
-    vertices: HashMap<(Site, Site), u32>,
+    sites: [Sites<'a>; 2],
+    vertices: HashMap<u64, u32>,
     edges: [u32; 2],
     pieces: Pieces,
     summands: Vec<[Summand; 2]>,
@@ -90,7 +76,17 @@ impl<'a> Sums<'a> {
     pub fn new(a: &'a Smooth, b: &'a Smooth, rounding: Rounding) -> Self {
         let edges = [a, b].map(|s| s.loops.iter().flat_map(|l| &l.segs).map(|s| s.edge + 1).max().unwrap_or(0));
         let (vertices, pieces, summands) = (HashMap::default(), Pieces::default(), Vec::new());
-        Self { a, b, rounding, vertices, edges, pieces, summands, forward_only: false }
+        Self {
+            a,
+            b,
+            rounding,
+            sites: [Sites::new(a), Sites::new(b)],
+            vertices,
+            edges,
+            pieces,
+            summands,
+            forward_only: false,
+        }
     }
 
     /// The two regions.
@@ -127,15 +123,15 @@ impl<'a> Sums<'a> {
         [self.a, self.b][operand]
     }
 
-    /// Where the sum of two vertices is.
+    /// The abscissa of the sum of two vertices.
     #[must_use]
-    pub fn corner_point(&self, p: u32, q: u32) -> DVec2 {
-        self.rounding.sum_points(self.a.points[p as usize], DVec2::ZERO, self.b.points[q as usize])
+    pub fn corner_x(&self, p: u32, q: u32) -> f64 {
+        self.rounding.sum(self.a.points[p as usize].x, 0.0, self.b.points[q as usize].x)
     }
 
     /// The vertex that is the sum of two vertices.
     pub fn corner(&mut self, p: u32, q: u32) -> u32 {
-        self.vertex(Site::Vertex(p), Site::Vertex(q))
+        self.vertex(p, q)
     }
 
     /// Adds a line or arc of B moved by a vertex of A, with its ends exchanged.
@@ -162,13 +158,7 @@ impl<'a> Sums<'a> {
     /// The places inside arcs of each operand at which pieces end, in order.
     #[must_use]
     pub fn stops(&self) -> [Vec<Stop>; 2] {
-        let inside = |site: &Site| match *site {
-            Site::Vertex(_) => None,
-            Site::Inside(of_loop, seg, angle) => Some(Stop { of_loop: of_loop as usize, seg: seg as usize, angle }),
-        };
-        let first: BTreeSet<Stop> = self.vertices.keys().filter_map(|(site, _)| inside(site)).collect();
-        let second: BTreeSet<Stop> = self.vertices.keys().filter_map(|(_, site)| inside(site)).collect();
-        [first, second].map(|stops| stops.into_iter().collect())
+        self.sites.each_ref().map(Sites::stops)
     }
 
     /// Adds a line of A and an arc or turn of B that has its angle.
@@ -176,8 +166,8 @@ impl<'a> Sums<'a> {
         if self.forward_only && other.seg.delta < 0.0 {
             return;
         }
-        let site = site(other, line.seg.a);
-        let ends = [line.seg.tail, line.seg.head].map(|v| self.vertex(Site::Vertex(v), site));
+        let site = self.sites[1].site(other, line.seg.a);
+        let ends = [line.seg.tail, line.seg.head].map(|v| self.vertex(v, site));
         self.line(ends, line, other.seg.delta, [line, other]);
     }
 
@@ -186,8 +176,8 @@ impl<'a> Sums<'a> {
         if self.forward_only && other.seg.delta < 0.0 {
             return;
         }
-        let site = site(other, line.seg.a);
-        let ends = [line.seg.tail, line.seg.head].map(|v| self.vertex(site, Site::Vertex(v)));
+        let site = self.sites[0].site(other, line.seg.a);
+        let ends = [line.seg.tail, line.seg.head].map(|v| self.vertex(site, v));
         self.line(ends, line, other.seg.delta, [other, line]);
     }
 
@@ -208,7 +198,10 @@ impl<'a> Sums<'a> {
         if self.forward_only && (is_concave_turn(&x) || is_concave_turn(&y)) {
             return;
         }
-        let [from, to] = [low, high].map(|angle| self.vertex(site(x, angle), site(y, angle)));
+        let [from, to] = [low, high].map(|angle| {
+            let (p, q) = (self.sites[0].site(x, angle), self.sites[1].site(y, angle));
+            self.vertex(p, q)
+        });
         let radius = x.seg.r + y.seg.r;
         if radius.abs() <= TINY_RADIUS {
             self.tiny(from, to, x, y);
@@ -243,37 +236,21 @@ impl<'a> Sums<'a> {
         Source { first: place(x, self.edges[0]), second: place(y, self.edges[1]) }
     }
 
-    fn place(&self, operand: usize, site: Site) -> Place {
-        let region = [self.a, self.b][operand];
-        match site {
-            Site::Vertex(v) => Place::Point(region.points[v as usize]),
-            Site::Inside(of_loop, index, angle) => {
-                let seg = &region.loops[of_loop as usize].segs[index as usize];
-                let [tail, head] = [seg.tail, seg.head].map(|v| region.points[v as usize]);
-                Place::On(Arc::minor(tail, head, seg.a, seg.b, seg.delta < 0.0), angle)
-            }
-        }
-    }
-
     fn vertex(&mut self, p: Site, q: Site) -> u32 {
-        if let Some(&known) = self.vertices.get(&(p, q)) {
-            return known;
+        let next = self.pieces.points.len() as u32;
+        let vertex = *self.vertices.entry(u64::from(p) << 32 | u64::from(q)).or_insert(next);
+        if vertex == next {
+            let point = match (self.sites[0].place(p), self.sites[1].place(q)) {
+                (Place::Point(p), Place::Point(q)) => self.rounding.sum_points(p, DVec2::ZERO, q),
+                (Place::Point(q), Place::On(arc, offset)) | (Place::On(arc, offset), Place::Point(q)) => {
+                    arc.moved(offset, q, self.rounding)
+                }
+                // Does not occur: shared angles begin and end at an end of one of the summands.
+                (Place::On(arc, offset), Place::On(_, (end, way))) => arc.moved(offset, end + way, self.rounding),
+            };
+            self.pieces.points.push(point);
         }
-        let point = match (self.place(0, p), self.place(1, q)) {
-            (Place::Point(p), Place::Point(q)) => self.rounding.sum_points(p, DVec2::ZERO, q),
-            (Place::Point(q), Place::On(arc, angle)) | (Place::On(arc, angle), Place::Point(q)) => {
-                arc.point_plus(angle, q, self.rounding)
-            }
-            // Does not occur: shared angles begin and end at an end of one of the summands.
-            (Place::On(x, angle), Place::On(y, other)) => {
-                let (end, way) = y.offset(other);
-                x.point_plus(angle, end + way, self.rounding)
-            }
-        };
-        let index = self.pieces.points.len() as u32;
-        self.pieces.points.push(point);
-        self.vertices.insert((p, q), index);
-        index
+        vertex
     }
 }
 
@@ -281,16 +258,4 @@ impl<'a> Sums<'a> {
 pub fn straight(points: &[DVec2], tail: u32, head: u32, source: Source) -> Piece {
     let normal = Ang::of_line(points[tail as usize], points[head as usize]).unwrap_or(Ang::RIGHT);
     Piece { tail, head, a: normal, b: normal, whole: [tail, head], delta: 0.0, r: 0.0, source, operand: 0 }
-}
-
-/// The place of a segment at an angle.
-fn site(placed: Placed, angle: Ang) -> Site {
-    let seg = placed.seg;
-    if seg.kind == Kind::Turn || angle == seg.a {
-        Site::Vertex(seg.tail)
-    } else if angle == seg.b {
-        Site::Vertex(seg.head)
-    } else {
-        Site::Inside(placed.of_loop, placed.index, angle)
-    }
 }
