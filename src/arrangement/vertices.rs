@@ -53,7 +53,9 @@ impl Vertices {
     #[must_use]
     pub fn new(pieces: &Pieces) -> (Self, Vec<Curve>) {
         let clean: Vec<DVec2> = pieces.points.iter().map(|p| DVec2::new(flushed(p.x), flushed(p.y))).collect();
-        let mut order: Vec<u32> = (0..clean.len() as u32).collect();
+        let mut is_end = vec![false; clean.len()];
+        pieces.pieces.iter().flat_map(|piece| [piece.tail, piece.head]).for_each(|v| is_end[v as usize] = true);
+        let mut order: Vec<u32> = (0..clean.len() as u32).filter(|v| is_end[*v as usize]).collect();
         order.sort_unstable_by(|i, j| compare(clean[*i as usize], clean[*j as usize]));
         let mut points: Vec<DVec2> = Vec::with_capacity(clean.len());
         let mut vertex_of = vec![NONE; clean.len()];

@@ -226,6 +226,10 @@ impl Order {
     /// Whether one curve is below another just right of an abscissa, up to which both are active.
     #[must_use]
     pub fn known(&self, f: &Curve, g: &Curve, x: f64) -> Known {
+        let (of_f, of_g) = (self.roles(f.piece), self.roles(g.piece));
+        if !of_f.iter().any(|(group, _)| of_g.iter().any(|(other, _)| group == other)) {
+            return Known::NOTHING;
+        }
         let vertical = f.is_vertical() || g.is_vertical();
         // A vertical is compared only with what passes it: where two segments begin, end or jump at one abscissa, the rules
         // speak of what comes before and of what comes after, not of what is between.
@@ -238,8 +242,8 @@ impl Order {
         if silent(f) || silent(g) {
             return known;
         }
-        for (group, kind) in self.roles(f.piece) {
-            for (_, other) in self.roles(g.piece).iter().filter(|(same, _)| same == group) {
+        for (group, kind) in of_f {
+            for (_, other) in of_g.iter().filter(|(same, _)| same == group) {
                 let here = self.groups[*group as usize].known([*kind, *other], x, vertical, self.without);
                 known.below = known.below.or(here.below);
                 known.until = known.until.min(here.until);

@@ -8,17 +8,17 @@ use crate::arrangement::status::{DOWN, NOWHERE, Place};
 impl<M: CrossingModule> Sweep<'_, M> {
     /// Ends those curves at the current vertex that are still active, and makes neighbours of those around them.
     pub(super) fn take_out(&mut self, ending: &[u32]) {
-        let mut work = Vec::new();
         for &curve in ending {
             let place = self.status.place(curve);
             if place != NOWHERE {
-                work.push(self.status.near(place, DOWN));
+                self.work.push(self.status.near(place, DOWN));
                 self.take_out_at(place);
                 self.audit.apart += 1;
             }
         }
-        work.retain(|place| *place != NOWHERE && self.status.place(self.status.curve(*place)) == *place);
-        self.restore(work);
+        let status = &self.status;
+        self.work.retain(|place| *place != NOWHERE && status.place(status.curve(*place)) == *place);
+        self.restore();
     }
 
     fn take_out_at(&mut self, place: Place) {

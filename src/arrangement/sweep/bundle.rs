@@ -28,6 +28,9 @@ impl<M: CrossingModule> Sweep<'_, M> {
 
     /// Merges neighbours among the starting curves that coincide into one of net weight. What cancels disappears.
     pub(super) fn merge(&mut self, starting: &mut Vec<u32>) {
+        if !starting.windows(2).any(|pair| self.coincide(pair[0], pair[1])) {
+            return;
+        }
         let mut kept: Vec<u32> = Vec::with_capacity(starting.len());
         let mut rest = starting.as_slice();
         while let Some(&first) = rest.first() {

@@ -55,12 +55,12 @@ impl<M: CrossingModule> Sweep<'_, M> {
         }
         self.audit.crossings += 1;
         self.swap(lower, upper, Some(at));
-        let mut work = vec![self.status.near(lower, DOWN), upper];
+        self.work.extend([self.status.near(lower, DOWN), upper]);
         // Lines do not cross again.
         if asks || ![event.lower, event.upper].iter().all(|curve| self.curves[*curve as usize].is_line()) {
-            work.push(lower);
+            self.work.push(lower);
         }
-        self.restore(work);
+        self.restore();
     }
 
     /// Whether a curve is a line through the current point.
@@ -129,9 +129,9 @@ impl<M: CrossingModule> Sweep<'_, M> {
         crossing.max(Moment::from(start)).min(Moment::from(end))
     }
 
-    /// Swaps neighbours until all agree with the module again.
-    pub(super) fn restore(&mut self, mut work: Vec<Place>) {
-        while let Some(lower) = work.pop() {
+    /// Swaps neighbours until all agree with the module again, beginning with those at the places to be looked at.
+    pub(super) fn restore(&mut self) {
+        while let Some(lower) = self.work.pop() {
             if lower == NOWHERE {
                 continue;
             }
@@ -142,7 +142,7 @@ impl<M: CrossingModule> Sweep<'_, M> {
             let upper = self.status.near(lower, UP);
             self.audit.late += 1;
             self.swap(lower, upper, at);
-            work.extend([self.status.near(lower, DOWN), lower, upper]);
+            self.work.extend([self.status.near(lower, DOWN), lower, upper]);
         }
     }
 }

@@ -24,7 +24,7 @@ use super::curve::Curve;
 use super::faces::Faces;
 use super::graph::Graph;
 use super::moment::Moment;
-use super::status::Status;
+use super::status::{Place, Status};
 use super::trapezoid::Trapezoid;
 use super::vertices::Vertices;
 use crate::piece::Pieces;
@@ -33,6 +33,7 @@ use event::Event;
 use glam::DVec2;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
+use vertex::Block;
 
 /// The running sweep.
 pub(super) struct Sweep<'m, M> {
@@ -58,6 +59,9 @@ pub(super) struct Sweep<'m, M> {
     since: Vec<f64>,
     /// Curves ending at the vertex under way.
     is_ending: Vec<bool>,
+    /// Places whose neighbours above may be in the wrong order.
+    work: Vec<Place>,
+    block: Block,
     faces: Faces,
     graph: Graph,
     trapezoids: Vec<Trapezoid>,
@@ -79,6 +83,8 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
             edge_of: vec![u32::MAX; curves.len()],
             curve_of,
             is_ending: vec![false; curves.len()],
+            work: Vec::new(),
+            block: Block::default(),
             curves,
             vertices,
             status: Status::new(),

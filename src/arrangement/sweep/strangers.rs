@@ -10,7 +10,7 @@ impl<M: CrossingModule> Sweep<'_, M> {
     /// strangers that pass through the point are no strangers: they end here, too, or an exact meeting of several would come
     /// out as several vertices. Returns the places around all that was touched.
     pub(super) fn gather(&mut self, ending: &mut Vec<u32>) -> [Place; 2] {
-        if !self.robustness.takes(Step::Gather) {
+        if ending.len() == 1 || !self.robustness.takes(Step::Gather) {
             let any = self.status.place(ending[0]);
             return [DOWN, UP].map(|side| self.status.near(any, side));
         }

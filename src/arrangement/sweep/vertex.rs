@@ -7,47 +7,65 @@ use crate::arrangement::curve::{by_normal_at_start, order_at_start};
 use crate::arrangement::status::{DOWN, NOWHERE, Place, UP};
 use std::cmp::Ordering;
 
-/// The places of a vertex block from bottom to top, and the place below it.
-struct Block {
+/// What a vertex works on. The lists are kept from vertex to vertex so that they need not grow again.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Block {
+    /// The curves that start there.
+    starting: Vec<u32>,
+    /// The curves that end there.
+    ending: Vec<u32>,
+    /// The places that the block takes, from bottom to top.
     places: Vec<Place>,
-    below: Place,
 }
 
 impl<M: CrossingModule> Sweep<'_, M> {
     /// A vertex, at the current point.
     pub(super) fn vertex(&mut self, vertex: u32) {
-        let (mut starting, mut ending) = (Vec::new(), Vec::new());
-        self.vertices.starting(vertex, &mut starting);
-        self.vertices.ending(vertex, &mut ending);
+        let mut block = std::mem::take(&mut self.block);
+        let Block { starting, ending, .. } = &mut block;
+        self.vertices.starting(vertex, starting);
+        self.vertices.ending(vertex, ending);
         ending.append(&mut self.joined);
         ending.retain(|c| self.status.place(*c) != NOWHERE);
         ending.sort_unstable();
         ending.dedup();
-        self.sort_by_direction(&mut starting);
+        if !starting.is_empty() || !ending.is_empty() {
+            self.exchange(vertex, &mut block);
+        }
+        self.block = block;
+    }
+
+    /// Takes out what ends at the vertex and puts in what starts there.
+    fn exchange(&mut self, vertex: u32, block: &mut Block) {
+        let Block { starting, ending, places } = block;
+        self.sort_by_direction(starting);
         let mut around = if ending.is_empty() {
-            if starting.is_empty() {
-                return;
-            }
-            let (around, hit) = self.locate(&starting);
+            let (around, hit) = self.locate(starting);
             ending.extend(hit.map(|place| self.status.curve(place)));
             around
         } else {
-            self.gather(&mut ending)
+            self.gather(ending)
         };
-        let block = self.absorb(&mut around, &mut ending);
-        let apart = block.places.len() < ending.len();
-        self.cut(&ending, vertex, &mut starting);
-        self.sort_by_direction(&mut starting);
-        self.merge(&mut starting);
-        self.replace(block, &starting);
+        let below = self.absorb(&mut around, ending, places);
+        let apart = places.len() < ending.len();
+        let known = starting.len();
+        self.cut(ending, vertex, starting);
+        if starting.len() > known {
+            self.sort_by_direction(starting);
+        }
+        self.merge(starting);
+        self.replace(places, below, starting);
         if apart {
-            self.take_out(&ending);
+            self.take_out(ending);
         }
         self.restore_between(around);
     }
 
     /// Sorts curves that start at the current vertex upwards; ties by index.
     fn sort_by_direction(&self, starting: &mut [u32]) {
+        if starting.len() < 2 {
+            return;
+        }
         let lines = starting.iter().all(|c| self.curves[*c as usize].is_line());
         let order = if lines { order_at_start } else { by_normal_at_start };
         starting.sort_unstable_by(|f, g| order(&self.curves[*f as usize], &self.curves[*g as usize]).then(f.cmp(g)));
@@ -120,12 +138,12 @@ impl<M: CrossingModule> Sweep<'_, M> {
         (high != NOWHERE && self.status.compare(place, high).is_ge()).then_some(Ordering::Less)
     }
 
-    /// Adds the lines next to the block that pass through the point to those that end. Moves `around` out of the block.
-    fn absorb(&self, around: &mut [Place; 2], ending: &mut Vec<u32>) -> Block {
-        let Some(&any) = ending.first() else {
-            return Block { places: Vec::new(), below: around[DOWN] };
-        };
-        let mut places = vec![self.status.place(any)];
+    /// Finds the places of the block, the lines next to it that pass through the point included, which end there, too. Moves
+    /// `around` out of it. Returns the place below.
+    fn absorb(&self, around: &mut [Place; 2], ending: &mut Vec<u32>, places: &mut Vec<Place>) -> Place {
+        places.clear();
+        let Some(&any) = ending.first() else { return around[DOWN] };
+        places.push(self.status.place(any));
         for side in [UP, DOWN] {
             places.reverse();
             while let next = self.status.near(places[places.len() - 1], side)
@@ -141,8 +159,7 @@ impl<M: CrossingModule> Sweep<'_, M> {
                 around[side] = self.status.near(end, side);
             }
         }
-        let below = self.status.near(places[0], DOWN);
-        Block { places, below }
+        self.status.near(places[0], DOWN)
     }
 
     fn joins(&self, place: Place, ending: &mut Vec<u32>) -> bool {
@@ -158,8 +175,7 @@ impl<M: CrossingModule> Sweep<'_, M> {
     }
 
     /// Takes the block's curves out and puts the starting ones in, at a new vertex.
-    fn replace(&mut self, block: Block, starting: &[u32]) {
-        let Block { mut places, below } = block;
+    fn replace(&mut self, places: &mut Vec<Place>, below: Place, starting: &[u32]) {
         if places.is_empty() && starting.is_empty() {
             return;
         }
@@ -171,9 +187,9 @@ impl<M: CrossingModule> Sweep<'_, M> {
         }
         let under = if below == NOWHERE { 0 } else { self.gap[below as usize] };
         let over = places.last().map_or(under, |p| self.gap[*p as usize]);
-        self.put(&mut places, below, starting);
-        self.fill_gaps(&places, under, over);
-        for &place in &places {
+        self.put(places, below, starting);
+        self.fill_gaps(places, under, over);
+        for &place in places.iter() {
             self.open_edge(place);
         }
         self.since_now(below);
@@ -201,12 +217,11 @@ impl<M: CrossingModule> Sweep<'_, M> {
 
     /// Checks all neighbours strictly between two places, and those with them.
     fn restore_between(&mut self, around: [Place; 2]) {
-        let mut work = Vec::new();
         let mut place = if around[DOWN] == NOWHERE { self.status.extreme(DOWN) } else { around[DOWN] };
         while place != NOWHERE && place != around[UP] {
-            work.push(place);
+            self.work.push(place);
             place = self.status.near(place, UP);
         }
-        self.restore(work);
+        self.restore();
     }
 }
