@@ -17,9 +17,9 @@ use std::time::{Duration, Instant};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Convolution {
     /// All sums of boundary points with equal normals (MS 3).
-    #[default]
     Kinetic,
     /// Crusts and moved boundaries (MS 5).
+    #[default]
     Monotonic,
 }
 

@@ -20,7 +20,7 @@ pub struct VerifyArgs {
     cases: Vec<String>,
     /// An engine: `kinetic`, `monotonic`, `kinetic-heuristic`, `naive-kinetic`, `kinetic-without-STEP`, or `cmd:PROGRAM`; can
     /// be given again.
-    #[arg(long = "engine", default_value = "kinetic")]
+    #[arg(long = "engine", default_value = "monotonic")]
     engines: Vec<String>,
     /// Leave out cases whose operands have more segments together.
     #[arg(long)]

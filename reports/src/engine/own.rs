@@ -10,6 +10,7 @@ use arcsum::heuristic::THRESHOLD;
 use arcsum::region::Region;
 use arcsum::robustness::{Robustness, Step};
 use arcsum::sum::{Convolution, Options, Sum, sum};
+use std::time::Instant;
 
 /// An engine by its convolution and robustness steps.
 #[derive(Debug)]
@@ -66,10 +67,13 @@ impl Engine for Own {
     }
 
     fn sum(&mut self, a: &Region, b: &Region) -> Result<Answer, EngineError> {
+        let start = Instant::now();
         let sum = sum(a, b, &self.options).map_err(|e| EngineError::Invalid(e.to_string()))?;
+        let total = start.elapsed();
         Ok(Answer {
             counters: counters(&sum),
             times: Times {
+                total: Some(total),
                 convolution: Some(sum.times.convolution),
                 arrangement: Some(sum.times.arrangement),
                 extraction: Some(sum.times.extraction),

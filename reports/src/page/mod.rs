@@ -74,9 +74,10 @@ struct Section {
 }
 
 /// Tables shown as they are: file, anchor and heading. Each is optional.
-const SHEETS: [(&str, &str, &str); 4] = [
+const SHEETS: [(&str, &str, &str); 5] = [
     ("claims.csv", "claims", "Claims of the papers"),
     ("timing.csv", "timing", "Times"),
+    ("comparison.csv", "comparison", "Times of one engine against another"),
     ("packing.csv", "packing", "Packing"),
     ("goldens.csv", "goldens", "Known answers"),
 ];
