@@ -2,7 +2,7 @@
 //!
 //! `naive-kinetic` and `naive-monotonic` are the same algorithms in plain doubles, the baseline of MS 8.3;
 //! `kinetic-without-STEP` and `monotonic-without-STEP` leave out one robustness step, to see what it costs and does.
-//! `kinetic-heuristic` is the kinetic one with the heuristic against falsely free points (MS 8.2).
+//! `convex` is the convex convolution with its cells decided one by one, an ablation (MS 3). `kinetic-heuristic` is the kinetic one with the heuristic against falsely free points (MS 8.2).
 
 use super::cells::cells;
 use super::{Abilities, Answer, Counters, Engine, EngineError, Times};
@@ -26,6 +26,7 @@ impl Own {
         let name = match convolution {
             Convolution::Kinetic => "kinetic",
             Convolution::Monotonic => "monotonic",
+            Convolution::Convex => "convex",
         };
         Self { name: name.to_owned(), options: Options { convolution, ..Options::default() } }
     }
@@ -33,6 +34,9 @@ impl Own {
     /// The engine of this name, if it is one of them.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
+        if name == "convex" {
+            return Some(Self::new(Convolution::Convex));
+        }
         let threshold = (name == "kinetic-heuristic").then_some(THRESHOLD);
         let (whole, robustness) = if threshold.is_some() {
             ("kinetic", Robustness::ALL)
