@@ -96,7 +96,13 @@ fn comparison(rows: &[Timing], engine: &str, first: &str, of_first: &BTreeMap<&s
         geometric_mean_hi: means[1],
         mean: pairs.iter().map(|pair| pair.ratio).sum::<f64>() / pairs.len() as f64,
         always_slower: shared.iter().filter(|(row, _)| row.to_first_min > Some(1.0)).count(),
-        slower: shared.iter().map(|(row, _)| *row).filter(slower).map(|r| r.case.as_str()).collect::<Vec<_>>().join(" "),
+        slower: shared
+            .iter()
+            .map(|(row, _)| *row)
+            .filter(slower)
+            .map(|r| r.case.as_str())
+            .collect::<Vec<_>>()
+            .join(" "),
     })
 }
 

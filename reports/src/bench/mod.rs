@@ -39,12 +39,7 @@ pub enum Missing {
 
 /// Times engines on a case in turn, `rounds` times after one round to warm up; fewer when it takes long, never below three.
 /// Arrangements may have up to `most` vertices. The ratios of a row are to the first engine, if it has a row.
-pub fn time(
-    case: &Case,
-    engines: &mut [Box<dyn Engine>],
-    rounds: usize,
-    most: u64,
-) -> Vec<Result<Timing, Missing>> {
+pub fn time(case: &Case, engines: &mut [Box<dyn Engine>], rounds: usize, most: u64) -> Vec<Result<Timing, Missing>> {
     let started = Instant::now();
     let patience = PATIENCE * engines.len() as u32;
     let mut all: Vec<Result<Runs, Missing>> = engines.iter_mut().map(|e| Runs::warm(e.as_mut(), case, most)).collect();

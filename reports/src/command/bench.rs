@@ -137,5 +137,8 @@ fn sentence(c: &Comparison) -> String {
     let mean = ratio(c.geometric_mean, c.geometric_mean_lo, c.geometric_mean_hi);
     let slower = c.slower.split_whitespace().count();
     let of = format!("of {} cases slower in {slower}, in every run of {}", c.cases, c.always_slower);
-    format!("{times}; ratio of sums {sums}, geometric mean of ratios {mean}, arithmetic {:.3}; {of}: {}", c.mean, c.slower)
+    format!(
+        "{times}; ratio of sums {sums}, geometric mean of ratios {mean}, arithmetic {:.3}; {of}: {}",
+        c.mean, c.slower
+    )
 }

@@ -2,7 +2,8 @@
 //!
 //! `naive-kinetic` and `naive-monotonic` are the same algorithms in plain doubles, the baseline of MS 8.3;
 //! `kinetic-without-STEP` and `monotonic-without-STEP` leave out one robustness step, to see what it costs and does.
-//! `convex` is the convex convolution with its cells decided one by one, an ablation (MS 3). `kinetic-heuristic` is the kinetic one with the heuristic against falsely free points (MS 8.2).
+//! `kinetic-heuristic` is the kinetic one with the heuristic against falsely free points (MS 8.2). `convex` is the convex
+//! convolution with its cells decided one by one, an ablation (MS 3).
 
 use super::cells::cells;
 use super::{Abilities, Answer, Counters, Engine, EngineError, Times};

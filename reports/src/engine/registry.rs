@@ -64,7 +64,9 @@ mod tests {
     #[test]
     fn engines_answer_to_their_names() {
         let steps = Step::ALL.map(|(_, step)| format!("monotonic-without-{step}"));
-        for name in BUILT_IN.iter().chain(NAIVE).chain(HEURISTIC).chain(CONVEX).map(|name| (*name).to_owned()).chain(steps) {
+        for name in
+            BUILT_IN.iter().chain(NAIVE).chain(HEURISTIC).chain(CONVEX).map(|name| (*name).to_owned()).chain(steps)
+        {
             assert_eq!(facts(&name).unwrap().name, name);
         }
     }
