@@ -54,10 +54,8 @@ pub fn time(case: &Case, engines: &mut [Box<dyn Engine>], rounds: usize, most: u
         round += 1;
     }
     let first: Vec<Duration> = all.first().and_then(|runs| runs.as_ref().ok()).map(Runs::totals).unwrap_or_default();
-    let row = |(engine, runs): (&Box<dyn Engine>, Result<Runs, Missing>)| {
-        runs.map(|runs| Timing::new(case, engine.name(), &runs, &first))
-    };
-    engines.iter().zip(all).map(row).collect()
+    let timed = engines.iter().zip(all);
+    timed.map(|(engine, runs)| runs.map(|runs| Timing::new(case, engine.name(), &runs, &first))).collect()
 }
 
 #[cfg(test)]

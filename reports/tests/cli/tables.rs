@@ -18,10 +18,9 @@ fn engines_are_timed_on_the_same_cases() {
     let place = Place::new();
     let file = place.file("square.json", &square(1.0));
     let engines = ["convex", "monotonic", "naive-kinetic"];
-    let flags = engines.iter().flat_map(|engine| ["--engine", engine]);
     let out = place.text("out");
-    let arguments: Vec<&str> =
-        ["bench", &file, "fork_2", "--runs", "3", "--out", &out].into_iter().chain(flags).collect();
+    let mut arguments = vec!["bench", &file, "fork_2", "--runs", "3", "--out", &out];
+    arguments.extend(engines.iter().flat_map(|engine| ["--engine", engine]));
     let output = run(&arguments);
     assert_eq!(code(&output), 0, "{:?}", errors(&output));
     let rows_of = rows(&place, "out/timing.csv");
