@@ -54,7 +54,7 @@ fn chains_of_polygons_and_of_arcs_are_measured() {
     }
 }
 
-/// Planted: an engine that always answers the unit square is off by more at each depth.
+/// Planted: an engine that always answers the unit square.
 #[test]
 fn a_wrong_chain_is_seen() {
     let place = Place::new();
