@@ -40,7 +40,8 @@ pub struct Piece {
     pub operand: u8,
 }
 
-/// A set of pieces that together form closed loops: every vertex has as many pieces in as out, per operand.
+/// A set of pieces that together form closed loops: every vertex has as many pieces in as out, per operand. Those of a convex
+/// convolution do not.
 #[derive(Clone, Debug, Default)]
 pub struct Pieces {
     /// The vertices, in units of the frame.

@@ -1,8 +1,9 @@
-//! The approximate Minkowski sum: normalise, convolve, arrange, extract (MS 4 with the kinetic convolution, MS 6 and 7 with the
-//! monotonic one).
+//! The approximate Minkowski sum: normalise, convolve, arrange, extract (MS 6 and 7 with the monotonic convolution,
+//! MS 4 with the kinetic one, MS 3 with the convex one).
 
 use crate::arrangement::{Arrangement, arrange_by};
-use crate::convolution::{kinetic_by, monotonic_by, ordered};
+use crate::cellwise::decide;
+use crate::convolution::{convex_by, kinetic_by, monotonic_by, ordered};
 use crate::extract::{outline, region};
 use crate::frame::Frame;
 use crate::heuristic::{Rejected, reject};
@@ -17,10 +18,13 @@ use std::time::{Duration, Instant};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Convolution {
     /// All sums of boundary points with equal normals (MS 3).
-    #[default]
     Kinetic,
     /// Crusts and moved boundaries (MS 5).
+    #[default]
     Monotonic,
+    /// The convexly compatible ones of these sums, an ablation (MS 3): it has no winding numbers, and its error has no
+    /// bound.
+    Convex,
 }
 
 /// What can be chosen about a sum.
@@ -42,7 +46,7 @@ pub struct Times {
     pub convolution: Duration,
     /// Arrangement.
     pub arrangement: Duration,
-    /// Extraction, and the heuristic.
+    /// Extraction, the heuristic, and what decides cells one by one.
     pub extraction: Duration,
 }
 
@@ -89,6 +93,7 @@ pub fn sum(a: &Region, b: &Region, options: &Options) -> Result<Sum, SumError> {
     let (smooth_a, smooth_b) = (smooth(a, &frames.0, 'A')?, smooth(b, &frames.1, 'B')?);
     let pieces = match options.convolution {
         Convolution::Kinetic => kinetic_by(&smooth_a, &smooth_b, options.robustness).map(|pieces| (pieces, None)),
+        Convolution::Convex => convex_by(&smooth_a, &smooth_b, options.robustness).map(|pieces| (pieces, None)),
         Convolution::Monotonic => {
             monotonic_by(&smooth_a, &smooth_b, options.robustness).map(|(pieces, order)| (pieces, Some(order)))
         }
@@ -101,6 +106,9 @@ pub fn sum(a: &Region, b: &Region, options: &Options) -> Result<Sum, SumError> {
         Some(order) => ordered::arrange(&convolution, order, options.robustness),
     };
     let arranged = Instant::now();
+    if options.convolution == Convolution::Convex && !plane {
+        decide(&mut arrangement, &smooth_a, &smooth_b);
+    }
     let mut with_connectors = options.threshold.map(|_| convolution.clone());
     let threshold = options.threshold.unwrap_or_default();
     let rejected = with_connectors.as_mut().map(|pieces| reject(&mut arrangement, pieces, threshold));

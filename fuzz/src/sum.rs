@@ -4,9 +4,10 @@ use crate::arrangement::assert_consistent;
 use crate::bytes::Bytes;
 use arcsum::boolean::{Operation, combine};
 use arcsum::region::{Curve, Region};
-use arcsum::sum::{Options, sum};
+use arcsum::sum::{Convolution, Options, sum};
 
-/// Sums and combines the regions that the bytes describe. Returns the number of loops of the sum.
+/// Sums and combines the regions that the bytes describe. Returns the number of loops of the
+/// sums by both convolutions.
 ///
 /// # Panics
 /// If a result is not finite or an arrangement not consistent: that is the find.
@@ -19,10 +20,14 @@ pub fn sum_of_bytes(data: &[u8]) -> Option<usize> {
             assert_finite(&region);
         }
     }
-    let sum = sum(&a, &b, &Options::default()).ok()?;
-    assert_consistent(&sum.arrangement);
-    assert_finite(&sum.region);
-    Some(sum.region.loops.len())
+    let mut loops = 0;
+    for convolution in [Convolution::Kinetic, Convolution::Monotonic] {
+        let sum = sum(&a, &b, &Options { convolution, ..Options::default() }).ok()?;
+        assert_consistent(&sum.arrangement);
+        assert_finite(&sum.region);
+        loops += sum.region.loops.len();
+    }
+    Some(loops)
 }
 
 fn assert_finite(region: &Region) {

@@ -6,6 +6,7 @@ pub mod cases;
 pub mod command;
 pub mod engine;
 pub mod environment;
+pub mod iterate;
 pub mod judge;
 pub mod page;
 pub mod row;

@@ -110,6 +110,20 @@ impl Curve {
         Self { first, start, ..*self }
     }
 
+    /// The curve moved. Its ends are rounded; its sweep and length are taken to stay the same.
+    #[must_use]
+    pub fn moved(&self, by: DVec2) -> Self {
+        Self {
+            start: self.start + by,
+            end: self.end + by,
+            left: self.left + by,
+            right: self.right + by,
+            low: self.low + by.y,
+            high: self.high + by.y,
+            ..*self
+        }
+    }
+
     /// Whether this is a straight line.
     #[must_use]
     pub fn is_line(&self) -> bool {

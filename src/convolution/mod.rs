@@ -1,6 +1,7 @@
 //! Convolutions: closed curves whose winding numbers tell the sum from the free space (MS 3; memo B).
 
 mod cancelled;
+mod convex;
 mod crust;
 mod envelope;
 pub mod fill;
@@ -66,6 +67,13 @@ pub fn monotonic_by(a: &Smooth, b: &Smooth, robustness: Robustness) -> Option<(P
     } else {
         crusts_and_boundaries(a, b, robustness.rounding(), rule, &PlainModule)
     }
+}
+
+/// The convex convolution with these robustness steps only, of which rounding matters here. Its pieces do not form closed
+/// curves.
+#[must_use]
+pub fn convex_by(a: &Smooth, b: &Smooth, robustness: Robustness) -> Option<Pieces> {
+    collect(a, b, robustness.rounding(), convex::convex).map(|(sums, base)| sums.finish(base))
 }
 
 fn crusts_and_boundaries<M: CrossingModule>(

@@ -13,7 +13,6 @@ mod neck;
 mod split;
 
 use crate::arrangement::Arrangement;
-use crate::arrangement::trapezoid::Trapezoid;
 use crate::piece::Pieces;
 use neck::Places;
 
@@ -48,15 +47,8 @@ fn sizes(arrangement: &Arrangement) -> Vec<f64> {
     let mut sizes = vec![0.0_f64; arrangement.graph.windings.len()];
     for trapezoid in &arrangement.trapezoids {
         let face = &mut sizes[trapezoid.face as usize];
-        *face = face.max(size(arrangement, trapezoid));
+        *face = face.max(trapezoid.size(&arrangement.graph.curves));
     }
     sizes[0] = f64::INFINITY;
     sizes
-}
-
-/// The lesser of width and height at mid x, the number of MS 8.2.
-fn size(arrangement: &Arrangement, trapezoid: &Trapezoid) -> f64 {
-    let middle = trapezoid.from.midpoint(trapezoid.to);
-    let [low, high] = [trapezoid.bottom, trapezoid.top].map(|c| arrangement.graph.curves[c as usize].y_at(middle));
-    (trapezoid.to - trapezoid.from).min(high - low)
 }

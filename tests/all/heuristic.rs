@@ -3,7 +3,7 @@
 
 use arcsum::heuristic::THRESHOLD;
 use arcsum::region::Region;
-use arcsum::sum::{Options, Sum, sum};
+use arcsum::sum::{Convolution, Options, Sum, sum};
 use arcsum_reports::cases::Case;
 use arcsum_reports::cases::family::Family;
 use arcsum_reports::cases::passage::{Fit, passage};
@@ -16,7 +16,7 @@ use arcsum_tests::shapes::{Lattice, any_region, cells, nudged_copies, simple};
 use proptest::prelude::*;
 
 fn summed(a: &Region, b: &Region, threshold: Option<f64>) -> Sum {
-    sum(a, b, &Options { threshold, ..Options::default() }).expect("valid")
+    sum(a, b, &Options { convolution: Convolution::Kinetic, threshold, ..Options::default() }).expect("valid")
 }
 
 /// What the references find at the points that an engine calls free or blocked.

@@ -1,6 +1,7 @@
 //! The built-in families by name (memo G, J5), their sizes, and the cases they consist of.
 
 use super::combs::{comb_and_polygon, combs};
+use super::fig8::fig8;
 use super::orthogonal::{Corners, Style, cells};
 use super::partner::partners;
 use super::passage::{self, Fit};
@@ -156,6 +157,13 @@ pub const FAMILIES: &[Family] = &[
         sizes: &[80, 100, 150],
         draws: 3,
         pairs: |percent, rng| one(passage::container(f64::from(percent) / 100.0, rng)),
+    },
+    Family {
+        name: "fig8",
+        about: "a convex part in a convex container of as many corners",
+        sizes: &[8, 16, 32, 64, 128, 256],
+        draws: 1,
+        pairs: |n, _| one(fig8(n)),
     },
     Family {
         name: "far",

@@ -5,6 +5,7 @@
 
 pub mod combs;
 pub mod family;
+pub mod fig8;
 pub mod files;
 pub mod folder;
 pub mod fork;

@@ -4,6 +4,7 @@
 
 pub mod bench;
 pub mod interrupt;
+pub mod iterate;
 pub mod replay;
 pub mod report;
 pub mod sum;
@@ -35,8 +36,10 @@ enum Command {
     Report(report::ReportArgs),
     /// Measure a witness again and say whether it still holds.
     Replay(replay::ReplayArgs),
-    /// Time sums against sorting.
+    /// Time engines against each other and against sorting.
     Bench(bench::BenchArgs),
+    /// Add B to A again and again and measure each sum.
+    Iterate(iterate::IterateArgs),
     /// Measure cases for a parent process.
     #[command(hide = true)]
     Worker,
@@ -101,6 +104,7 @@ pub fn main() -> ExitCode {
         Command::Report(args) => report::report(&args),
         Command::Replay(args) => replay::replay(&args),
         Command::Bench(args) => bench::bench(&args),
+        Command::Iterate(args) => iterate::iterate(&args),
         Command::Worker => crate::worker::child::serve().map(|()| 0).map_err(Failure::other),
     };
     match done {

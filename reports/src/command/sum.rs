@@ -23,7 +23,7 @@ pub struct SumArgs {
     #[arg(short, long)]
     output: Option<PathBuf>,
     /// The engine.
-    #[arg(long, default_value = "kinetic")]
+    #[arg(long, default_value = "monotonic")]
     engine: String,
 }
 

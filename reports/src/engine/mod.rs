@@ -82,6 +82,9 @@ pub struct Counters {
 /// Time of each stage, where the engine tells.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Times {
+    /// The whole sum, without what is told about it afterwards.
+    #[serde(default)]
+    pub total: Option<Duration>,
     /// The convolution.
     pub convolution: Option<Duration>,
     /// The arrangement.

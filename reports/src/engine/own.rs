@@ -2,7 +2,8 @@
 //!
 //! `naive-kinetic` and `naive-monotonic` are the same algorithms in plain doubles, the baseline of MS 8.3;
 //! `kinetic-without-STEP` and `monotonic-without-STEP` leave out one robustness step, to see what it costs and does.
-//! `kinetic-heuristic` is the kinetic one with the heuristic against falsely free points (MS 8.2).
+//! `kinetic-heuristic` is the kinetic one with the heuristic against falsely free points (MS 8.2). `convex` is the convex
+//! convolution with its cells decided one by one, an ablation (MS 3).
 
 use super::cells::cells;
 use super::{Abilities, Answer, Counters, Engine, EngineError, Times};
@@ -10,6 +11,7 @@ use arcsum::heuristic::THRESHOLD;
 use arcsum::region::Region;
 use arcsum::robustness::{Robustness, Step};
 use arcsum::sum::{Convolution, Options, Sum, sum};
+use std::time::Instant;
 
 /// An engine by its convolution and robustness steps.
 #[derive(Debug)]
@@ -25,6 +27,7 @@ impl Own {
         let name = match convolution {
             Convolution::Kinetic => "kinetic",
             Convolution::Monotonic => "monotonic",
+            Convolution::Convex => "convex",
         };
         Self { name: name.to_owned(), options: Options { convolution, ..Options::default() } }
     }
@@ -32,6 +35,9 @@ impl Own {
     /// The engine of this name, if it is one of them.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
+        if name == "convex" {
+            return Some(Self::new(Convolution::Convex));
+        }
         let threshold = (name == "kinetic-heuristic").then_some(THRESHOLD);
         let (whole, robustness) = if threshold.is_some() {
             ("kinetic", Robustness::ALL)
@@ -66,10 +72,13 @@ impl Engine for Own {
     }
 
     fn sum(&mut self, a: &Region, b: &Region) -> Result<Answer, EngineError> {
+        let start = Instant::now();
         let sum = sum(a, b, &self.options).map_err(|e| EngineError::Invalid(e.to_string()))?;
+        let total = start.elapsed();
         Ok(Answer {
             counters: counters(&sum),
             times: Times {
+                total: Some(total),
                 convolution: Some(sum.times.convolution),
                 arrangement: Some(sum.times.arrangement),
                 extraction: Some(sum.times.extraction),

@@ -13,10 +13,13 @@ pub const NAIVE: &[&str] = &["naive-kinetic", "naive-monotonic"];
 /// The kinetic convolution with the heuristic against falsely free points (MS 8.2).
 pub const HEURISTIC: &[&str] = &["kinetic-heuristic"];
 
+/// The convex convolution (MS 3), to compare with.
+pub const CONVEX: &[&str] = &["convex"];
+
 /// A name that is no engine's.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("no engine is called {0}; there are {known}, the first two also with -without-{steps}, and cmd:PROGRAM",
-    known = [BUILT_IN, NAIVE, HEURISTIC].concat().join(", "), steps = arcsum::robustness::Step::ALL.map(|(_, name)| name).join("|"))]
+    known = [BUILT_IN, NAIVE, HEURISTIC, CONVEX].concat().join(", "), steps = arcsum::robustness::Step::ALL.map(|(_, name)| name).join("|"))]
 pub struct NoSuchEngine(pub String);
 
 /// The engine of this name.
@@ -61,7 +64,9 @@ mod tests {
     #[test]
     fn engines_answer_to_their_names() {
         let steps = Step::ALL.map(|(_, step)| format!("monotonic-without-{step}"));
-        for name in BUILT_IN.iter().chain(NAIVE).chain(HEURISTIC).map(|name| (*name).to_owned()).chain(steps) {
+        for name in
+            BUILT_IN.iter().chain(NAIVE).chain(HEURISTIC).chain(CONVEX).map(|name| (*name).to_owned()).chain(steps)
+        {
             assert_eq!(facts(&name).unwrap().name, name);
         }
     }
@@ -77,6 +82,7 @@ mod tests {
             "kinetic-without-",
             "kinetic-without-x",
             "cmd:",
+            "naive-convex",
         ] {
             let refusal = engine(name).err().unwrap().to_string();
             assert!(refusal.contains("naive-monotonic") && refusal.contains("late-swaps"), "{refusal}");

@@ -74,9 +74,11 @@ struct Section {
 }
 
 /// Tables shown as they are: file, anchor and heading. Each is optional.
-const SHEETS: [(&str, &str, &str); 4] = [
+const SHEETS: [(&str, &str, &str); 6] = [
     ("claims.csv", "claims", "Claims of the papers"),
     ("timing.csv", "timing", "Times"),
+    ("comparison.csv", "comparison", "Times of one engine against another"),
+    ("iterated.csv", "iterated", "Iterated sums"),
     ("packing.csv", "packing", "Packing"),
     ("goldens.csv", "goldens", "Known answers"),
 ];

@@ -31,8 +31,16 @@ pub struct Folder {
 }
 
 /// What a run leaves in its folder.
-const FILES: [&str; 6] =
-    ["results.csv", "journal.jsonl", "environment.json", "goldens.csv", "timing.csv", "index.html"];
+const FILES: [&str; 8] = [
+    "results.csv",
+    "journal.jsonl",
+    "environment.json",
+    "goldens.csv",
+    "timing.csv",
+    "comparison.csv",
+    "iterated.csv",
+    "index.html",
+];
 const FOLDERS: [&str; 3] = ["cases", "witnesses", "pictures"];
 
 impl Folder {

@@ -10,6 +10,7 @@ use crate::cases::Case;
 use crate::engine::Answer;
 use crate::judge::Judgement;
 use crate::row::Status;
+use arcsum::region::Region;
 use serde::{Deserialize, Serialize};
 
 /// A line to a worker.
@@ -19,6 +20,9 @@ pub struct Task {
     pub case: Case,
     /// The name of the engine.
     pub engine: String,
+    /// A region to be judged instead of the engine's answer, which is then not asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub claim: Option<Region>,
 }
 
 /// A line from a worker.

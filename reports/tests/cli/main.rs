@@ -5,6 +5,7 @@ mod input;
 mod replay;
 mod resume;
 mod sums;
+mod tables;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
