@@ -91,6 +91,7 @@ fn counters(sum: &Sum) -> Counters {
         late: count(audit.late),
         gather: count(audit.gather),
         cancelled: count(audit.cancelled),
+        order_conflict: count(audit.order_conflict),
         cells: count(sum.arrangement.graph.windings.len()),
         ..Counters::default()
     }

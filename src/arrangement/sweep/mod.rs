@@ -31,6 +31,7 @@ use crate::piece::Pieces;
 use crate::robustness::Robustness;
 use event::Event;
 use glam::DVec2;
+use rustc_hash::FxHashSet as HashSet;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -58,6 +59,8 @@ pub(super) struct Sweep<'m, M> {
     since: Vec<f64>,
     /// Curves ending at the vertex under way.
     is_ending: Vec<bool>,
+    /// Neighbours, from bottom to top, whose swap is refused.
+    refused: HashSet<[u32; 2]>,
     faces: Faces,
     graph: Graph,
     trapezoids: Vec<Trapezoid>,
@@ -79,6 +82,7 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
             edge_of: vec![u32::MAX; curves.len()],
             curve_of,
             is_ending: vec![false; curves.len()],
+            refused: HashSet::default(),
             curves,
             vertices,
             status: Status::new(),
