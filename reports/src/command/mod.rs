@@ -2,6 +2,7 @@
 //!
 //! Exit codes: 0 done, 1 a witness that no longer holds or a failure of the machine, 2 bad input, 130 interrupted.
 
+pub mod attack;
 pub mod bench;
 pub mod interrupt;
 pub mod replay;
@@ -35,6 +36,8 @@ enum Command {
     Report(report::ReportArgs),
     /// Measure a witness again and say whether it still holds.
     Replay(replay::ReplayArgs),
+    /// Search for cases that a claim does not hold for.
+    Attack(attack::AttackArgs),
     /// Time sums against sorting.
     Bench(bench::BenchArgs),
     /// Measure cases for a parent process.
@@ -100,6 +103,7 @@ pub fn main() -> ExitCode {
         Command::Verify(args) => verify::verify(&args),
         Command::Report(args) => report::report(&args),
         Command::Replay(args) => replay::replay(&args),
+        Command::Attack(args) => attack::attack(&args),
         Command::Bench(args) => bench::bench(&args),
         Command::Worker => crate::worker::child::serve().map(|()| 0).map_err(Failure::other),
     };

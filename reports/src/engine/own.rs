@@ -29,6 +29,12 @@ impl Own {
         Self { name: name.to_owned(), options: Options { convolution, ..Options::default() } }
     }
 
+    /// What it is asked to do.
+    #[must_use]
+    pub fn options(&self) -> &Options {
+        &self.options
+    }
+
     /// The engine of this name, if it is one of them.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
