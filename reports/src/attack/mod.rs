@@ -16,16 +16,19 @@ use crate::run::plan::Plan;
 use crate::run::record::assemble;
 use crate::worker::Outcome;
 use sieve::Sieved;
+use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use tally::Tally;
 
-/// Regions whose chains are at least this far apart, in unit-box lengths, are put to the reference whenever they pass the
-/// sieve: 2 mu is less than this in all that has been measured.
+/// Regions whose chains are at least this far apart, in unit-box lengths, are expected to be 2 mu separated.
 const APART: f64 = 1e-14;
 
-/// Of other ones, as many of a kind are put to it.
-const OTHERS: u64 = 25;
+/// As many cases of a kind and of what the sieve saw are put to the reference.
+const MEASURED: usize = 40;
+
+/// As many are kept of a kind and of what they show.
+const KEPT: usize = 3;
 
 /// What to search and how long.
 #[derive(Clone, Debug)]
@@ -52,14 +55,24 @@ pub struct Found {
 }
 
 /// What a measured case shows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum What {
-    /// A falsely free point in spite of 2 mu separation: Theorem 4 does not hold for the engine.
-    Separated,
+    /// A falsely free point strictly inside of a free cell, in spite of 2 mu separation: Theorem 4 does not hold.
+    Inside,
+    /// Likewise, but on the boundary of free cells only, as far as doubles tell.
+    Boundary,
     /// A falsely free point in regions that are not separated by 2 mu for certain.
     Unseparated,
     /// A swap against the convolution order and no falsely free point.
     Conflict,
+}
+
+/// The most telling thing that the sieve saw in a case.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Seen {
+    Conflict,
+    Boundary,
+    Inside,
 }
 
 /// The running search.
@@ -67,6 +80,10 @@ pub struct Attack {
     search: Search,
     engine: Own,
     rng: Rng,
+    /// How many cases have been measured, by kind, by whether their regions are far apart, and by what the sieve saw.
+    measured: BTreeMap<(String, bool, Seen), usize>,
+    /// How many have been kept.
+    kept: BTreeMap<(String, What), usize>,
     /// What has been done.
     pub tally: Tally,
 }
@@ -79,7 +96,7 @@ impl Attack {
     pub fn new(search: Search) -> Result<Self, NoSuchEngine> {
         let engine = Own::named(&search.engine).ok_or_else(|| NoSuchEngine(search.engine.clone()))?;
         let rng = Rng::new(search.seed, "falsely-free");
-        Ok(Self { search, engine, rng, tally: Tally::default() })
+        Ok(Self { search, engine, rng, measured: BTreeMap::new(), kept: BTreeMap::new(), tally: Tally::default() })
     }
 
     /// Searches on. Every measured case that shows something is handed to `keep` at once.
@@ -101,27 +118,38 @@ impl Attack {
 
     /// Searches one case.
     fn attack(&mut self, case: Case) -> Option<Found> {
-        let Sieved { probes, suspects, order_conflict } = sieve::sieve(&case, self.engine.options())?;
-        let line = self.tally.of(&case.family);
-        line.cases += 1;
-        line.probes += probes;
-        line.suspects += suspects;
-        line.conflicts += order_conflict;
-        if suspects == 0 && order_conflict == 0 {
-            return None;
-        }
-        let apart = separation::measure(&case).ok().and_then(|found| found.lo)? >= APART;
-        if !apart && line.measured_unseparated >= OTHERS {
-            line.unmeasured += 1;
+        let sieved = sieve::sieve(&case, self.engine.options())?;
+        let seen = self.enter(&case.family, &sieved)?;
+        let separation = separation::measure(&case).ok().and_then(|found| found.lo)?;
+        let measured = self.measured.entry((case.family.clone(), separation >= APART, seen)).or_default();
+        *measured += 1;
+        if *measured > MEASURED {
+            self.tally.of(&case.family).unmeasured += 1;
             return None;
         }
         let row = self.measure(&case);
-        let line = self.tally.of(&case.family);
-        line.measured_unseparated += u64::from(!apart);
-        let what = line.enter(&row)?;
+        let what = self.tally.of(&case.family).enter(&row)?;
+        let kept = self.kept.entry((case.family.clone(), what)).or_default();
+        *kept += 1;
+        if *kept > KEPT {
+            return None;
+        }
         let same = |case: &Case| Some(self.measure(case)).filter(|row| tally::what(row) == Some(what));
         let (case, row) = shrink::shrink(case, row, same);
         Some(Found { case, row, what })
+    }
+
+    /// Enters what the sieve found; the most telling of it, if there is anything.
+    fn enter(&mut self, kind: &str, sieved: &Sieved) -> Option<Seen> {
+        let line = self.tally.of(kind);
+        line.cases += 1;
+        line.probes += sieved.probes;
+        line.suspects += sieved.suspects;
+        line.suspects_inside += sieved.inside;
+        line.conflicts += sieved.order_conflict;
+        let seen =
+            [(Seen::Inside, sieved.inside), (Seen::Boundary, sieved.suspects), (Seen::Conflict, sieved.order_conflict)];
+        seen.into_iter().find(|(_, count)| *count > 0).map(|(seen, _)| seen)
     }
 
     /// The references' word on a case.

@@ -28,6 +28,8 @@ pub struct Sieved {
     pub probes: u64,
     /// Points that passed.
     pub suspects: u64,
+    /// Of these, points strictly inside of a free cell.
+    pub inside: u64,
     /// Swaps against the convolution order.
     pub order_conflict: u64,
 }
@@ -41,9 +43,12 @@ pub fn sieve(case: &Case, options: &Options) -> Option<Sieved> {
     let winding = Winding::new(&kinetic(&a, &b, Rounding::Correct)?);
     let circle: Vec<DVec2> = (0..AROUND).map(direction).map(|way| RADIUS * way).collect();
     let mut found = Sieved { order_conflict: sum.arrangement.audit.order_conflict as u64, ..Sieved::default() };
-    probes(&sum.arrangement, |p| {
+    probes(&sum.arrangement, |p, inside| {
         found.probes += 1;
-        found.suspects += u64::from(circle.iter().all(|way| winding.around(p + *way) != 0));
+        if circle.iter().all(|way| winding.around(p + *way) != 0) {
+            found.suspects += 1;
+            found.inside += u64::from(inside);
+        }
     });
     Some(found)
 }
@@ -52,23 +57,24 @@ fn direction(i: usize) -> DVec2 {
     DVec2::from_angle(0.1 + std::f64::consts::TAU * i as f64 / AROUND as f64)
 }
 
-/// Visits the test points of the free cells.
-fn probes(arrangement: &Arrangement, mut visit: impl FnMut(DVec2)) {
+/// Visits the test points of the free cells, and whether they are strictly inside.
+fn probes(arrangement: &Arrangement, mut visit: impl FnMut(DVec2, bool)) {
     let graph = &arrangement.graph;
     let is_free = |face: u32| graph.windings[face as usize][0] == 0;
     for trapezoid in arrangement.trapezoids.iter().filter(|t| is_free(t.face)) {
         let curves = [trapezoid.bottom, trapezoid.top].map(|curve| &graph.curves[curve as usize]);
         let x = 0.5 * (trapezoid.from + trapezoid.to);
-        let middle = 0.5 * (curves[0].y_at(x) + curves[1].y_at(x));
-        visit(DVec2::new(x, middle));
+        let [low, high] = curves.map(|curve| curve.y_at(x));
+        let y = 0.5 * (low + high);
+        visit(DVec2::new(x, y), trapezoid.from < x && x < trapezoid.to && low < y && y < high);
         for x in [trapezoid.from, trapezoid.to] {
-            curves.iter().for_each(|curve| visit(DVec2::new(x, curve.y_at(x))));
+            curves.iter().for_each(|curve| visit(DVec2::new(x, curve.y_at(x)), false));
         }
     }
     for edge in graph.edges.iter().filter(|edge| is_free(edge.below) != is_free(edge.above)) {
         let [p, q] = [edge.from, edge.to].map(|vertex| graph.points[vertex as usize]);
         let (x, curve) = (0.5 * (p.x + q.x), &graph.curves[edge.curve as usize]);
-        visit(DVec2::new(x, if curve.is_vertical() { 0.5 * (p.y + q.y) } else { curve.y_at(x) }));
+        visit(DVec2::new(x, if curve.is_vertical() { 0.5 * (p.y + q.y) } else { curve.y_at(x) }), false);
     }
 }
 

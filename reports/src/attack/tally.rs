@@ -16,18 +16,20 @@ pub struct Line {
     pub probes: u64,
     /// Of these, how many passed.
     pub suspects: u64,
+    /// Of these, ones strictly inside of a free cell.
+    pub suspects_inside: u64,
     /// Swaps against the convolution order.
     pub conflicts: u64,
     /// Cases put to the references.
     pub measured: u64,
-    /// Of these, ones whose regions are not far apart.
-    pub measured_unseparated: u64,
     /// Cases like those with suspects that were not measured, because there are many.
     pub unmeasured: u64,
     /// Measured cases without a certified answer.
     pub undecided: u64,
-    /// Cases with rho > mu in spite of 2 mu separation,
-    pub separated: u64,
+    /// Cases with rho > mu strictly inside of a free cell in spite of 2 mu separation,
+    pub inside: u64,
+    /// ones with rho > mu on the boundary of free cells only,
+    pub boundary: u64,
     /// and without it.
     pub unseparated: u64,
     /// The least separation over mu where rho > mu,
@@ -86,7 +88,8 @@ impl Line {
         }
         let what = what(row)?;
         if what != What::Conflict {
-            self.separated += u64::from(what == What::Separated);
+            self.inside += u64::from(what == What::Inside);
+            self.boundary += u64::from(what == What::Boundary);
             self.unseparated += u64::from(what == What::Unseparated);
             self.least_ratio = least(self.least_ratio, ratio);
             self.greatest_ratio = most(self.greatest_ratio, ratio);
@@ -102,7 +105,12 @@ pub fn what(row: &Row) -> Option<What> {
     let mu = row.mu_hi?;
     if row.falsely_free.is_some_and(|count| count > 0) {
         let separated = row.separation_lo.is_some_and(|separation| separation >= 2.0 * mu);
-        return Some(if separated { What::Separated } else { What::Unseparated });
+        let inside = [row.bubbles, row.cracks].into_iter().flatten().sum::<u64>() > 0;
+        return Some(match (separated, inside) {
+            (false, _) => What::Unseparated,
+            (true, true) => What::Inside,
+            (true, false) => What::Boundary,
+        });
     }
     row.order_conflict.is_some_and(|count| count > 0).then_some(What::Conflict)
 }

@@ -13,9 +13,6 @@ use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 use std::time::Duration;
 
-/// Witnesses that are kept of each kind and of what they show.
-const KEPT: usize = 5;
-
 /// Arguments of `arcsum attack`.
 #[derive(Debug, Args)]
 pub struct AttackArgs {
@@ -70,10 +67,6 @@ pub fn attack(args: &AttackArgs) -> Result<u8, Failure> {
     let mut kept: Vec<Found> = Vec::new();
     attack
         .run(stop, |found| {
-            let like = |other: &&Found| other.what == found.what && other.case.family == found.case.family;
-            if kept.iter().filter(like).count() >= KEPT {
-                return Ok(());
-            }
             kept.push(found);
             keep(&folder, args, &kept)
         })
@@ -88,7 +81,8 @@ fn keep(folder: &Folder, args: &AttackArgs, kept: &[Found]) -> Result<(), Folder
     folder.write_table("results.csv", kept.iter().map(|found| &found.row))?;
     let Some(Found { case, row, what }) = kept.last() else { return Ok(()) };
     let claim = match what {
-        What::Separated => "falsely free points in spite of 2 mu separation",
+        What::Inside => "falsely free points inside of a cell in spite of 2 mu separation",
+        What::Boundary => "falsely free points on the boundary in spite of 2 mu separation",
         What::Unseparated => "falsely free points without 2 mu separation",
         What::Conflict => "a swap against the convolution order",
     };
@@ -107,15 +101,18 @@ fn keep(folder: &Folder, args: &AttackArgs, kept: &[Found]) -> Result<(), Folder
 fn print(line: &Line) {
     let number = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| format!("{value:.3e}"));
     println!(
-        "{:9} {:8} cases {:10} probes {:7} suspects {:6} measured {:5} undecided; rho > mu: {:5} separated {:5} not, \
+        "{:9} {:8} cases {:10} probes {:7} suspects {:6} inside {:6} measured {:5} undecided; rho > mu: {:4} inside {:4} on \
+         the boundary {:4} not separated, \
          separation/mu from {} to {}, rho up to {}; {:4} order conflicts, separation/mu from {}",
         line.kind,
         line.cases,
         line.probes,
         line.suspects,
+        line.suspects_inside,
         line.measured,
         line.undecided,
-        line.separated,
+        line.inside,
+        line.boundary,
         line.unseparated,
         number(line.least_ratio),
         number(line.greatest_ratio),
