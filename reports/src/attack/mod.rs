@@ -24,11 +24,8 @@ use tally::Tally;
 /// Regions whose chains are at least this far apart, in unit-box lengths, are expected to be 2 mu separated.
 const APART: f64 = 1e-14;
 
-/// As many cases of a kind and of what the sieve saw are put to the reference.
-const MEASURED: usize = 40;
-
 /// As many are kept of a kind and of what they show.
-const KEPT: usize = 3;
+const KEPT: usize = 1;
 
 /// What to search and how long.
 #[derive(Clone, Debug)]
@@ -73,6 +70,17 @@ enum Seen {
     Conflict,
     Boundary,
     Inside,
+}
+
+impl Seen {
+    /// As many cases of a kind are put to the reference, which takes its time.
+    fn most(self) -> usize {
+        match self {
+            Self::Inside => 12,
+            Self::Boundary => 3,
+            Self::Conflict => 6,
+        }
+    }
 }
 
 /// The running search.
@@ -123,7 +131,7 @@ impl Attack {
         let separation = separation::measure(&case).ok().and_then(|found| found.lo)?;
         let measured = self.measured.entry((case.family.clone(), separation >= APART, seen)).or_default();
         *measured += 1;
-        if *measured > MEASURED {
+        if *measured > seen.most() {
             self.tally.of(&case.family).unmeasured += 1;
             return None;
         }
