@@ -59,7 +59,7 @@ fn found(engine: &str, probes: u64) -> Vec<Found> {
 /// The kinetic convolution is known to have falsely free points (MS 7): the search finds some.
 #[test]
 fn the_search_finds_bubbles_of_the_kinetic_engine() {
-    let found = found("kinetic", 3_000);
+    let found = found("kinetic", 1_000);
     assert!(found.iter().any(|found| matches!(found.what, What::Inside | What::Boundary)), "{found:?}");
     assert!(Attack::new(Search { engine: "clipper".into(), seed: 1, probes: 1, time: Duration::ZERO }).is_err());
 }

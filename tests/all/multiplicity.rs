@@ -2,6 +2,7 @@
 //! signed count of the pieces on the edge. Counted from the pieces themselves, in exact integer geometry.
 
 use arcsum::arrangement::Arrangement;
+use arcsum::arrangement::graph::Edge;
 use arcsum::convolution::{monotonic, ordered};
 use arcsum::frame::Frame;
 use arcsum::piece::{Piece, Pieces};
@@ -46,22 +47,42 @@ fn weight(pieces: &Pieces, piece: &Piece, line: [DVec2; 2], middle: f64) -> i32 
     i32::from(from < middle && middle < to) - i32::from(to < middle && middle < from)
 }
 
-/// The edges whose windings differ from the count of pieces, and those that were checked.
-fn wrong(pieces: &Pieces, arrangement: &Arrangement) -> (usize, usize) {
+/// An edge on its line: the line, the ends along it and the change of the winding number.
+struct Step {
+    line: [DVec2; 2],
+    ends: [f64; 2],
+    change: i32,
+}
+
+fn steps(arrangement: &Arrangement) -> Vec<Step> {
     let graph = &arrangement.graph;
-    let (mut wrong, mut checked) = (0, 0);
-    for edge in &graph.edges {
+    let step = |edge: &Edge| {
         let curve = &graph.curves[edge.curve as usize];
-        let [p, q] = [edge.from, edge.to].map(|v| graph.points[v as usize]);
-        let (from, to) = (along(p, curve.is_vertical()), along(q, curve.is_vertical()));
+        let ends = [edge.from, edge.to].map(|v| along(graph.points[v as usize], curve.is_vertical()));
+        let [below, above] = [edge.below, edge.above].map(|face| graph.windings[face as usize][0]);
+        Step { line: [curve.left, curve.right], ends, change: above - below }
+    };
+    graph.edges.iter().map(step).collect()
+}
+
+/// The edges at whose middles the change of the winding number differs from the count of pieces, and those that were checked.
+/// Edges that coincide count together: where the convolution order puts two beside each other, a cell of no width stays
+/// between them.
+fn wrong(pieces: &Pieces, arrangement: &Arrangement) -> (usize, usize) {
+    let (all, mut wrong, mut checked) = (steps(arrangement), 0, 0);
+    for Step { line, ends: [from, to], .. } in &all {
         // A rounding wide: which pieces pass is not for doubles to tell.
         if to - from < 1e-12 {
             continue;
         }
-        let count = |piece: &Piece| weight(pieces, piece, [curve.left, curve.right], 0.5 * (from + to));
-        let expected: i32 = pieces.pieces.iter().map(count).sum();
-        let [below, above] = [edge.below, edge.above].map(|face| graph.windings[face as usize][0]);
-        wrong += usize::from(above - below != expected);
+        let middle = 0.5 * (from + to);
+        let here = |step: &&Step| {
+            let on_line = step.line.iter().all(|p| area(line[0], line[1], *p) == 0.0);
+            on_line && step.ends[0] < middle && middle < step.ends[1]
+        };
+        let change: i32 = all.iter().filter(here).map(|step| step.change).sum();
+        let expected: i32 = pieces.pieces.iter().map(|piece| weight(pieces, piece, *line, middle)).sum();
+        wrong += usize::from(change != expected);
         checked += 1;
     }
     (wrong, checked)
