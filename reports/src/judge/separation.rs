@@ -47,7 +47,7 @@ mod tests {
     #[test]
     fn the_lesser_separation_counts_in_the_unit_box() {
         assert_eq!(measured(disc(1.0), disc(0.5)), Separation { lo: Some(f64::INFINITY), hi: Some(f64::INFINITY) });
-        let of_hook = Separation { lo: Some(0.25), hi: Some(0.25) };
+        let of_hook = Separation { lo: Some(0.125), hi: Some(0.125) };
         assert_eq!((measured(hook(), disc(0.5)), measured(disc(0.5), hook())), (of_hook, of_hook));
         let text = serde_json::to_string(&measured(disc(1.0), disc(0.5))).unwrap();
         assert_eq!(serde_json::from_str::<Separation>(&text).unwrap().lo, Some(f64::INFINITY));
