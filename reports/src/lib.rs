@@ -1,5 +1,6 @@
 //! The harness of arcsum: cases, engines under test, measurements, and the pages and tables they end in.
 
+pub mod attack;
 pub mod bench;
 pub mod bridge;
 pub mod cases;

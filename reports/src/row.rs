@@ -84,6 +84,12 @@ pub struct Row {
     pub open: Option<u64>,
     /// Tested points inside blocked cells that are free.
     pub falsely_blocked: Option<u64>,
+    /// Least distance of two chains of A, or two of B, that are not incident: certified lower bound; `inf` without such.
+    #[serde(default, with = "number")]
+    pub separation_lo: Option<f64>,
+    /// Certified upper bound of it.
+    #[serde(default, with = "number")]
+    pub separation_hi: Option<f64>,
     /// Segments of A.
     pub n: u64,
     /// Segments of B.
@@ -102,8 +108,11 @@ pub struct Row {
     pub late: Option<u64>,
     /// Gather swaps.
     pub gather: Option<u64>,
-    /// Cancelled swaps.
+    /// Swaps refused because the convolution order is known to be right, each pair once.
     pub cancelled: Option<u64>,
+    /// Gather swaps against a known convolution order; MS 7.2 has none in regions that are 2 mu separated.
+    #[serde(default)]
+    pub order_conflict: Option<u64>,
     /// Cells of the arrangement.
     pub cells: Option<u64>,
     /// Free cells all of whose tested points are blocked, with pd > mu.

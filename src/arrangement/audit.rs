@@ -13,7 +13,8 @@ pub struct Audit {
     pub late: usize,
     /// Swaps that brought the curves ending at a vertex together.
     pub gather: usize,
-    /// How often a swap was refused because the order is known to be right; a pair counts each time it is asked about.
+    /// Swaps refused because the order is known to be right. A pair counts once, however often it is asked about, until it
+    /// is swapped after all.
     pub cancelled: usize,
     /// Gather swaps against an order that is known.
     pub order_conflict: usize,

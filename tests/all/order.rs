@@ -5,6 +5,11 @@
 //! The cases were found by search: a region and its copy a few units in the last place off, so that sum segments nearly
 //! coincide.
 
+use arcsum::arrangement::cross::{CrossingModule, Crossings};
+use arcsum::arrangement::curve::Curve as Sweeped;
+use arcsum::arrangement::known::Known;
+use arcsum::arrangement::{arrange_with, module};
+use arcsum::convolution::ordered::Ordered;
 use arcsum::convolution::{monotonic, ordered};
 use arcsum::frame::Frame;
 use arcsum::region::{Curve, Node, Region};
@@ -15,6 +20,7 @@ use arcsum_reports::cases::shape::disc;
 use arcsum_tests::cases;
 use arcsum_tests::chains::{Chain, chains, concave, convolved, rings};
 use arcsum_tests::shapes::{Lattice, simple};
+use glam::DVec2;
 use proptest::prelude::*;
 use rug::Rational;
 
@@ -222,4 +228,58 @@ fn swaps_and_insertion_need_the_order() {
     assert_eq!(cells(&a, &b, None, Robustness::ALL.without(Step::OrderedSwaps)), [2, 0]);
     assert_eq!(cells(&c, &d, None, Robustness::ALL), [1, 0]);
     assert_eq!(cells(&c, &d, None, Robustness::ALL.without(Step::OrderedInsertion)), [3, 0]);
+}
+
+/// A module that has the sweep ask again about every pair, every so often.
+struct Curious<M> {
+    module: M,
+    step: f64,
+}
+
+impl<M: CrossingModule> CrossingModule for Curious<M> {
+    fn cross(&self, f: &Sweeped, g: &Sweeped) -> Crossings {
+        self.module.cross(f, g)
+    }
+
+    fn above(&self, p: DVec2, curve: &Sweeped) -> f64 {
+        self.module.above(p, curve)
+    }
+
+    fn tolerance(&self) -> f64 {
+        self.module.tolerance()
+    }
+
+    fn known(&self, f: &Sweeped, g: &Sweeped, x: f64) -> Known {
+        let Known { below, until } = self.module.known(f, g, x);
+        let next = x + self.step;
+        Known { below, until: if below.is_some() && next < f.end.x.min(g.end.x) { until.min(next) } else { until } }
+    }
+
+    fn placed(&self, f: &Sweeped, g: &Sweeped, x: f64) -> Option<bool> {
+        self.module.placed(f, g, x)
+    }
+
+    fn related(&self, piece: u32, x: f64) -> Vec<u32> {
+        self.module.related(piece, x)
+    }
+}
+
+/// A refused swap counts once, however often the sweep asks about the pair.
+#[test]
+fn a_refused_swap_counts_once() {
+    let mut refused = 0;
+    for (a, b) in [dart(), sickles()] {
+        let frames = Frame::pair(&a, &b);
+        let (x, y) = (Smooth::new(&a, &frames.0).expect("valid"), Smooth::new(&b, &frames.1).expect("valid"));
+        let (pieces, order) = monotonic(&x, &y, Rounding::Correct).expect("bounded");
+        let ordered = Ordered { module: module(&pieces), order: &order, robustness: Robustness::ALL };
+        let plain = arrange_with(&pieces, &ordered).audit;
+        let asked = arrange_with(&pieces, &Curious { module: ordered, step: 1e-3 }).audit;
+        assert!(asked.stale > plain.stale, "the sweep asked no more often");
+        assert_eq!(asked.cancelled, plain.cancelled);
+        refused += plain.cancelled;
+        let without = Robustness::ALL.without(Step::OrderedSwaps);
+        assert_eq!(ordered::arrange(&pieces, &order, without).audit.cancelled, 0);
+    }
+    assert!(refused > 0, "no swap was refused");
 }

@@ -27,6 +27,7 @@ pub mod reach;
 pub mod real;
 pub mod realize;
 pub mod reference;
+pub mod separation;
 pub mod shape;
 pub mod slabs;
 pub mod spot;

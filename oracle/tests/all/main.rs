@@ -18,4 +18,5 @@ mod meet;
 mod membership;
 mod planted;
 mod same_sum;
+mod separation;
 mod shortcuts;

@@ -2,6 +2,7 @@
 //!
 //! Exit codes: 0 done, 1 a witness that no longer holds or a failure of the machine, 2 bad input, 130 interrupted.
 
+pub mod attack;
 pub mod bench;
 pub mod interrupt;
 pub mod iterate;
@@ -36,6 +37,8 @@ enum Command {
     Report(report::ReportArgs),
     /// Measure a witness again and say whether it still holds.
     Replay(replay::ReplayArgs),
+    /// Search for cases that a claim does not hold for.
+    Attack(attack::AttackArgs),
     /// Time engines against each other and against sorting.
     Bench(bench::BenchArgs),
     /// Add B to A again and again and measure each sum.
@@ -103,6 +106,7 @@ pub fn main() -> ExitCode {
         Command::Verify(args) => verify::verify(&args),
         Command::Report(args) => report::report(&args),
         Command::Replay(args) => replay::replay(&args),
+        Command::Attack(args) => attack::attack(&args),
         Command::Bench(args) => bench::bench(&args),
         Command::Iterate(args) => iterate::iterate(&args),
         Command::Worker => crate::worker::child::serve().map(|()| 0).map_err(Failure::other),

@@ -76,6 +76,8 @@ pub struct Counters {
     pub late: Option<u64>,
     pub gather: Option<u64>,
     pub cancelled: Option<u64>,
+    #[serde(default)]
+    pub order_conflict: Option<u64>,
     pub cells: Option<u64>,
 }
 

@@ -32,6 +32,12 @@ impl Own {
         Self { name: name.to_owned(), options: Options { convolution, ..Options::default() } }
     }
 
+    /// What it is asked to do.
+    #[must_use]
+    pub fn options(&self) -> &Options {
+        &self.options
+    }
+
     /// The engine of this name, if it is one of them.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
@@ -100,6 +106,7 @@ fn counters(sum: &Sum) -> Counters {
         late: count(audit.late),
         gather: count(audit.gather),
         cancelled: count(audit.cancelled),
+        order_conflict: count(audit.order_conflict),
         cells: count(sum.arrangement.graph.windings.len()),
         ..Counters::default()
     }

@@ -7,6 +7,7 @@ mod places;
 pub mod polygon;
 mod realized;
 pub mod result;
+pub mod separation;
 pub mod why;
 
 use crate::bridge::unit;
@@ -51,6 +52,9 @@ pub struct Judgement {
     /// What was found at points that should be free or blocked.
     #[serde(default)]
     pub free: Option<free::Findings>,
+    /// How far apart chains of the operands are that are not incident.
+    #[serde(default)]
+    pub separation: Option<separation::Separation>,
 }
 
 impl Judgement {
@@ -70,6 +74,7 @@ impl Judgement {
             note: note.into(),
             golden: None,
             free: None,
+            separation: None,
         }
     }
 
@@ -116,6 +121,7 @@ pub fn judge(case: &Case, engine: &str, answer: &Answer) -> Judgement {
     if BUILT_IN.contains(&engine) && judgement.status == Status::Ok {
         judgement.mu_realized = realized::measure(case, answer).map(|found| [found.lo, found.hi]);
     }
+    judgement.separation = separation::measure(case).ok();
     judgement.failed_checks.extend(result::failed_checks(&answer.region));
     judgement
 }

@@ -22,7 +22,7 @@ const fn length(name: &'static str, toward: Toward, meaning: &'static str) -> Co
 }
 
 /// All columns of a row; lengths in unit-box lengths and times in milliseconds unless they say otherwise.
-pub const COLUMNS: [Column; 47] = [
+pub const COLUMNS: [Column; 50] = [
     column("case", "the pair of regions"),
     column("family", "the family or folder it belongs to"),
     column("engine", "the engine under test"),
@@ -51,6 +51,12 @@ pub const COLUMNS: [Column; 47] = [
     column("innocent", "ones among them that are blocked with pd <= mu or that near to the sum"),
     column("open", "ones among them that may be blocked, with neither shown"),
     column("falsely_blocked", "tested points inside blocked cells that are free"),
+    length(
+        "separation_lo",
+        Toward::Down,
+        "lower bound of the least distance of chains of A, or of B, that are not incident; inf without such",
+    ),
+    length("separation_hi", Toward::Up, "upper bound of it"),
     column("n", "segments of A"),
     column("m", "segments of B"),
     column("sums", "segments of the convolution"),
@@ -59,7 +65,8 @@ pub const COLUMNS: [Column; 47] = [
     column("k", "cyclic triples (audit only)"),
     column("late", "late swaps"),
     column("gather", "gather swaps"),
-    column("cancelled", "cancelled swaps"),
+    column("cancelled", "swaps refused because the convolution order is known, each pair once"),
+    column("order_conflict", "gather swaps against a known convolution order"),
     column("cells", "cells of the arrangement"),
     column("bubbles", "free cells all of whose tested points are blocked with pd > mu"),
     column("cracks", "free cells some but not all of whose tested points are blocked with pd > mu"),

@@ -50,6 +50,7 @@ fn enter_answer(row: &mut Row, answer: &Answer) {
     row.late = c.late;
     row.gather = c.gather;
     row.cancelled = c.cancelled;
+    row.order_conflict = c.order_conflict;
     row.cells = c.cells;
     row.result_segments = Some(answer.region.segments() as u64);
     row.result_loops = Some(answer.region.loops.len() as u64);
@@ -78,6 +79,8 @@ fn enter_judgement(row: &mut Row, judgement: &Judgement) {
         row.falsely_blocked = free.falsely_blocked;
         (row.bubbles, row.cracks) = (free.bubbles, free.cracks);
     }
+    let separation = judgement.separation.unwrap_or_default();
+    (row.separation_lo, row.separation_hi) = (separation.lo, separation.hi);
     row.note = judgement.note.clone();
     let engines = row.failed_checks.take().filter(|w| w != "none");
     let own = engines.as_deref().unwrap_or_default().split_whitespace().map(str::to_owned);
@@ -118,6 +121,8 @@ fn blank(case: &Case, engine: &Facts) -> Row {
         innocent: None,
         open: None,
         falsely_blocked: None,
+        separation_lo: None,
+        separation_hi: None,
         n: case.a.segments() as u64,
         m: case.b.segments() as u64,
         sums: None,
@@ -127,6 +132,7 @@ fn blank(case: &Case, engine: &Facts) -> Row {
         late: None,
         gather: None,
         cancelled: None,
+        order_conflict: None,
         cells: None,
         bubbles: None,
         cracks: None,

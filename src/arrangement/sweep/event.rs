@@ -112,7 +112,7 @@ impl<M: CrossingModule> Sweep<'_, M> {
         }
         match known.below {
             Some(true) => {
-                self.audit.cancelled += usize::from(!below);
+                self.audit.cancelled += usize::from(!below && self.refused.insert([f, g]));
                 Ok(())
             }
             Some(false) => Err(place.filter(|_| !below)),

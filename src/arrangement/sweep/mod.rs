@@ -31,6 +31,7 @@ use crate::piece::Pieces;
 use crate::robustness::Robustness;
 use event::Event;
 use glam::DVec2;
+use rustc_hash::FxHashSet as HashSet;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use vertex::Block;
@@ -62,6 +63,8 @@ pub(super) struct Sweep<'m, M> {
     /// Places whose neighbours above may be in the wrong order.
     work: Vec<Place>,
     block: Block,
+    /// Neighbours, from bottom to top, whose swap is refused.
+    refused: HashSet<[u32; 2]>,
     faces: Faces,
     graph: Graph,
     trapezoids: Vec<Trapezoid>,
@@ -85,6 +88,7 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
             is_ending: vec![false; curves.len()],
             work: Vec::new(),
             block: Block::default(),
+            refused: HashSet::default(),
             curves,
             vertices,
             status: Status::new(),
