@@ -259,8 +259,8 @@ impl<M: CrossingModule> CrossingModule for Curious<M> {
         self.module.placed(f, g, x)
     }
 
-    fn related(&self, piece: u32, x: f64) -> Vec<u32> {
-        self.module.related(piece, x)
+    fn related(&self, piece: u32, x: f64, found: &mut Vec<u32>) {
+        self.module.related(piece, x, found);
     }
 }
 
