@@ -32,14 +32,11 @@ pub enum Step {
     OrderedSwaps,
     /// Curves are inserted in convolution order (MS 7.1).
     OrderedInsertion,
-    /// Chords stand for parts of boundaries that are run backwards ([`crate::convolution::shortcut`]). This is for speed, not
-    /// robustness: the naive engine does it, too.
-    Shortcuts,
 }
 
 impl Step {
     /// All steps with their names.
-    pub const ALL: [(Self, &'static str); 11] = [
+    pub const ALL: [(Self, &'static str); 10] = [
         (Self::Rounding, "rounding"),
         (Self::Angles, "angles"),
         (Self::Joints, "joints"),
@@ -50,7 +47,6 @@ impl Step {
         (Self::Cuts, "cuts"),
         (Self::OrderedSwaps, "ordered-swaps"),
         (Self::OrderedInsertion, "ordered-insertion"),
-        (Self::Shortcuts, "shortcuts"),
     ];
 }
 
@@ -63,8 +59,8 @@ pub struct Robustness {
 impl Robustness {
     /// All steps.
     pub const ALL: Self = Self { left_out: 0 };
-    /// No step that is for robustness: the naive engine.
-    pub const NONE: Self = Self { left_out: !(1 << Step::Shortcuts as u8) };
+    /// No step: the naive engine.
+    pub const NONE: Self = Self { left_out: u16::MAX };
 
     /// These steps but one.
     #[must_use]
@@ -101,7 +97,7 @@ mod tests {
             let without = Robustness::ALL.without(step);
             let left: Vec<Step> = Step::ALL.map(|(s, _)| s).into_iter().filter(|s| !without.takes(*s)).collect();
             assert_eq!(left, [step]);
-            assert!(Robustness::ALL.takes(step) && Robustness::NONE.takes(step) == (step == Step::Shortcuts));
+            assert!(Robustness::ALL.takes(step) && !Robustness::NONE.takes(step));
         }
     }
 }

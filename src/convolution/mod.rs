@@ -10,7 +10,6 @@ mod monotonic;
 pub mod order;
 pub mod ordered;
 mod part;
-pub mod shortcut;
 mod sites;
 mod sums;
 
@@ -21,6 +20,7 @@ use crate::piece::Pieces;
 use crate::robustness::{Robustness, Step};
 use crate::smooth::Smooth;
 use crate::sum3::Rounding;
+use crust::Rule;
 use fill::{Filled, PairSum, fill};
 use kinetic::Side;
 use monotonic::Monotonic;
@@ -45,11 +45,10 @@ pub fn kinetic(a: &Smooth, b: &Smooth, rounding: Rounding) -> Option<Pieces> {
     collect(a, b, rounding, kinetically).map(|(sums, base)| sums.finish(base))
 }
 
-/// The monotonic convolution as MS have it, without shortcuts, and the order of its pieces.
+/// The monotonic convolution, likewise, and the order of its pieces.
 #[must_use]
 pub fn monotonic(a: &Smooth, b: &Smooth, rounding: Rounding) -> Option<(Pieces, Order)> {
-    let all = Robustness::ALL.without(Step::Shortcuts);
-    monotonic_by(a, b, if rounding == Rounding::Correct { all } else { all.without(Step::Rounding) })
+    crusts_and_boundaries(a, b, rounding, Rule::Ends, &FloatModule::new(EXTENT))
 }
 
 /// The kinetic convolution with these robustness steps only (MS 8.3).
@@ -58,14 +57,15 @@ pub fn kinetic_by(a: &Smooth, b: &Smooth, robustness: Robustness) -> Option<Piec
     kinetic(a, b, robustness.rounding())
 }
 
-/// The monotonic convolution with these steps only. Without [`Step::Forward`] it may have gaps, closed by lines that are not
-/// vertical.
+/// The monotonic convolution with these robustness steps only. Without [`Step::Forward`] it may have gaps, closed by lines
+/// that are not vertical.
 #[must_use]
 pub fn monotonic_by(a: &Smooth, b: &Smooth, robustness: Robustness) -> Option<(Pieces, Order)> {
+    let rule = if robustness.takes(Step::Forward) { Rule::Ends } else { Rule::Curvature };
     if robustness.takes(Step::Crossings) {
-        crusts_and_boundaries(a, b, robustness, &FloatModule::new(EXTENT))
+        crusts_and_boundaries(a, b, robustness.rounding(), rule, &FloatModule::new(EXTENT))
     } else {
-        crusts_and_boundaries(a, b, robustness, &PlainModule)
+        crusts_and_boundaries(a, b, robustness.rounding(), rule, &PlainModule)
     }
 }
 
@@ -79,12 +79,13 @@ pub fn convex_by(a: &Smooth, b: &Smooth, robustness: Robustness) -> Option<Piece
 fn crusts_and_boundaries<M: CrossingModule>(
     a: &Smooth,
     b: &Smooth,
-    robustness: Robustness,
+    rounding: Rounding,
+    rule: Rule,
     module: &M,
 ) -> Option<(Pieces, Order)> {
-    let mut order = Order::new(robustness.takes(Step::Shortcuts));
-    let (sums, base) = collect(a, b, robustness.rounding(), |sums, filled| {
-        Monotonic::new(sums, &mut order, filled, robustness, module).convolve();
+    let mut order = Order::default();
+    let (sums, base) = collect(a, b, rounding, |sums, filled| {
+        Monotonic::new(sums, &mut order, filled, (rule, module)).convolve();
     })?;
     order.finish();
     Some((sums.finish(base), order))

@@ -4,8 +4,7 @@
 //! Its winding number is O - F - T: the pairs of facing chains that overlap, less those that do face, less the concave
 //! turning points inside the other region. It is positive where the regions overlap and 0 where they do not, if the fill
 //! rule has made their overlap simply connected. The moved boundaries, T segments, run backwards (memo fact 8). Where a crust
-//! runs along one, the two cancel. That is known from what the pieces are sums of, never from coordinates. Of what is left,
-//! chords inside the moved region stand for long stretches ([`super::shortcut`]).
+//! runs along one, the two cancel. That is known from what the pieces are sums of, never from coordinates.
 
 use super::cancelled::Cancelled;
 use super::crust::{Rule, crust};
@@ -13,12 +12,10 @@ use super::fill::Filled;
 use super::kinetic::{Side, convolve};
 use super::order::{Group, Kind, Order, Role};
 use super::part::part;
-use super::shortcut::Shortcuts;
-use super::sums::{Placed, Summand, Sums, Taken, straight};
+use super::sums::{Placed, Summand, Sums, Taken};
 use crate::arrangement::cross::CrossingModule;
 use crate::chain::{Chain, Chains, Turning};
-use crate::piece::{Piece, Source};
-use crate::robustness::{Robustness, Step};
+use crate::piece::Piece;
 use crate::smooth::Kind as SegKind;
 use glam::DVec2;
 
@@ -29,30 +26,17 @@ pub struct Monotonic<'s, 'a, M> {
     rule: Rule,
     module: &'s M,
     chains: [Chains; 2],
-    /// The shortcuts of each operand, if they are taken.
-    shortcuts: [Option<Shortcuts>; 2],
     /// The stretches of crusts that lie on moved boundaries.
     cancelled: Cancelled,
 }
 
 impl<'s, 'a, M: CrossingModule> Monotonic<'s, 'a, M> {
     /// Makes ready for two components.
-    pub fn new(
-        sums: &'s mut Sums<'a>,
-        order: &'s mut Order,
-        filled: &Filled,
-        robustness: Robustness,
-        module: &'s M,
-    ) -> Self {
+    pub fn new(sums: &'s mut Sums<'a>, order: &'s mut Order, filled: &Filled, (rule, module): (Rule, &'s M)) -> Self {
         let (a, b) = sums.regions();
         let chains = [Chains::new(a, &filled.a), Chains::new(b, &filled.b)];
         order.begin(chains.each_ref().map(|chains| chains.turnings.len()));
-        let rule = if robustness.takes(Step::Forward) { Rule::Ends } else { Rule::Curvature };
-        let shortcuts = [(0, a), (1, b)].map(|(operand, region)| {
-            let is_moved = chains[1 - operand].turnings.iter().any(|turning| turning.concave);
-            (is_moved && robustness.takes(Step::Shortcuts)).then(|| Shortcuts::new(region, &chains[operand]))
-        });
-        Self { sums, order, rule, module, chains, shortcuts, cancelled: Cancelled::default() }
+        Self { sums, order, rule, module, chains, cancelled: Cancelled::default() }
     }
 
     /// Adds their convolution.
@@ -181,32 +165,9 @@ impl<'s, 'a, M: CrossingModule> Monotonic<'s, 'a, M> {
                     self.sums.reversed_by_vertex_of_b(placed, vertex);
                 }
             });
-            let mut taken = self.sums.take_from(first);
-            if self.chains[other].chains[chain].upper {
-                taken.pieces.reverse();
-                taken.summands.reverse();
-            }
-            self.push_moved([other, chain], &taken, role);
-        }
-    }
-
-    /// Adds a moved chain, its segments from left to right, but for what cancels. Shortcuts stand for what is between.
-    fn push_moved(&mut self, [operand, chain]: [usize; 2], taken: &Taken, role: Role) {
-        let count = taken.pieces.len();
-        let mut at = 0;
-        while at < count {
-            let whole = |index: &usize| self.cancelled.first(&taken.summands[*index]).is_none();
-            let end = at + (at..count).take_while(whole).count();
-            while at < end {
-                let next = self.shortcuts[operand].as_ref().map_or(at + 1, |all| all.furthest(chain, at, end));
-                let stretch = [taken.pieces[at], taken.pieces[next - 1]];
-                let piece = if next == at + 1 { stretch[0] } else { chord(self.sums.points(), stretch) };
-                self.push(piece, taken.summands[at], &[role]);
-                at = next;
-            }
-            if at < count {
-                self.push_rest(&taken.pieces[at], taken.summands[at], role);
-                at += 1;
+            let Taken { pieces, summands } = self.sums.take_from(first);
+            for (piece, summands) in pieces.into_iter().zip(summands) {
+                self.push_rest(&piece, summands, role);
             }
         }
     }
@@ -247,13 +208,6 @@ impl<'s, 'a, M: CrossingModule> Monotonic<'s, 'a, M> {
         let Self { chains, sums, .. } = self;
         self.order.group(turnings, || group(sums, chains, turnings))
     }
-}
-
-/// The line that stands for a stretch of a moved chain, from its first and its last segment from left to right.
-fn chord(points: &[DVec2], [first, last]: [Piece; 2]) -> Piece {
-    let rightward = points[first.tail as usize].x < points[last.head as usize].x;
-    let (tail, head) = if rightward { (first.tail, last.head) } else { (last.tail, first.head) };
-    straight(points, tail, head, Source { first: u32::MAX, second: head })
 }
 
 /// What a pair of two turning points is like.

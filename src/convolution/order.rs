@@ -143,20 +143,11 @@ pub struct Order {
     firsts: Vec<u32>,
     /// The widest range of a piece of each group.
     widest: Vec<f64>,
-    /// Whether chords stand for parts of moved boundaries. They stay between the two chains that meet at a turning point, but
-    /// not on one side of each other.
-    shortened: bool,
     /// A row of the order table that is not used, for tests that show what it is good for.
     pub without: Option<usize>,
 }
 
 impl Order {
-    /// An empty order, given whether chords will stand for parts of moved boundaries.
-    #[must_use]
-    pub fn new(shortened: bool) -> Self {
-        Self { shortened, ..Self::default() }
-    }
-
     /// Makes ready for two components with so many turning points.
     pub fn begin(&mut self, turnings: [usize; 2]) {
         self.width = turnings[1];
@@ -253,27 +244,22 @@ impl Order {
         }
         for (group, kind) in of_f {
             for (_, other) in of_g.iter().filter(|(same, _)| same == group) {
-                let here = self.groups[*group as usize].known([*kind, *other], x, vertical, |row| self.skips(row));
+                let here = self.groups[*group as usize].known([*kind, *other], x, vertical, self.without);
                 known.below = known.below.or(here.below);
                 known.until = known.until.min(here.until);
             }
         }
         known
     }
-
-    /// Whether a row of the table is not used.
-    fn skips(&self, row: usize) -> bool {
-        self.without == Some(row) || self.shortened && matches!(TABLE[row].2, When::Turning { concave: false, .. })
-    }
 }
 
 impl Members {
-    fn known(&self, [f, g]: [Kind; 2], x: f64, vertical: bool, skips: impl Fn(usize) -> bool) -> Known {
+    fn known(&self, [f, g]: [Kind; 2], x: f64, vertical: bool, without: Option<usize>) -> Known {
         let mut known = Known::NOTHING;
         for &row in ROWS_OF[f as usize][g as usize].iter().take_while(|row| **row < ROWS) {
             let (lower, _, when) = TABLE[row];
             let below = lower == f;
-            if skips(row) {
+            if Some(row) == without {
                 continue;
             }
             let Some(range) = self.range(when, x) else { continue };
