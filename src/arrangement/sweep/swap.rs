@@ -13,7 +13,9 @@ impl<M: CrossingModule> Sweep<'_, M> {
             self.close_gap(place);
         }
         let (f, g) = (self.status.curve(lower), self.status.curve(upper));
-        self.refused.remove(&[f, g]);
+        if !self.refused.is_empty() {
+            self.refused.remove(&[f, g]);
+        }
         self.graph.begin_vertex(at.unwrap_or_else(|| self.near_both(f, g)));
         self.graph.close(self.edge_of[g as usize]);
         self.graph.close(self.edge_of[f as usize]);
