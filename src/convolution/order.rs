@@ -245,8 +245,7 @@ impl Order {
         for (group, kind) in of_f {
             for (_, other) in of_g.iter().filter(|(same, _)| same == group) {
                 let here = self.groups[*group as usize].known([*kind, *other], x, vertical, self.without);
-                known.below = known.below.or(here.below);
-                known.until = known.until.min(here.until);
+                known = known.and(here);
             }
         }
         known
@@ -267,13 +266,10 @@ impl Members {
             // A vertical where some segment begins joins what comes before it with what comes after, and a rule speaks of
             // the latter only. At the sum of the turning points all begin.
             let begun = from < x || from == x && (self.group.left || !vertical);
-            if begun && x < to {
-                known.below = Some(below);
-            }
-            for change in [from, from.next_up(), to] {
-                if x < change && from < to {
-                    known.until = known.until.min(change);
-                }
+            if from < to && x < to {
+                let change = [from, from.next_up(), to].into_iter().find(|change| x < *change);
+                let until = change.unwrap_or(f64::INFINITY);
+                known = known.and(Known { below: begun.then_some(below), until, only: Some(below) });
             }
         }
         known

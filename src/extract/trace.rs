@@ -2,7 +2,7 @@
 
 use crate::arrangement::graph::{Graph, HalfEdge};
 use glam::DVec2;
-use std::collections::HashMap;
+use rustc_hash::FxHashMap as HashMap;
 
 /// A simple loop of half-edges with the selection on their left, without those of length zero.
 pub struct Traced {
@@ -20,7 +20,7 @@ pub struct Pinches {
 impl Pinches {
     /// Those of all loops together.
     pub fn new(graph: &Graph, loops: &[Traced]) -> Self {
-        let mut passes = HashMap::new();
+        let mut passes = HashMap::default();
         for &half in loops.iter().flat_map(|traced| &traced.halves) {
             *passes.entry(key(graph.points[graph.origin(half) as usize])).or_insert(0) += 1;
         }
@@ -80,7 +80,7 @@ fn next_where(graph: &Graph, half: HalfEdge, on_boundary: impl Fn(HalfEdge) -> b
 fn split(graph: &Graph, walk: Vec<HalfEdge>, mut emit: impl FnMut(Vec<HalfEdge>)) {
     let origin = |half: HalfEdge| graph.points[graph.origin(half) as usize];
     let mut stack: Vec<HalfEdge> = Vec::new();
-    let mut depth_of: HashMap<(u64, u64), usize> = HashMap::new();
+    let mut depth_of: HashMap<(u64, u64), usize> = HashMap::default();
     for half in walk {
         let from = origin(half);
         if from == origin(half ^ 1) {

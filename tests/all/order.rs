@@ -250,9 +250,10 @@ impl<M: CrossingModule> CrossingModule for Curious<M> {
     }
 
     fn known(&self, f: &Sweeped, g: &Sweeped, x: f64) -> Known {
-        let Known { below, until } = self.module.known(f, g, x);
+        let known = self.module.known(f, g, x);
         let next = x + self.step;
-        Known { below, until: if below.is_some() && next < f.end.x.min(g.end.x) { until.min(next) } else { until } }
+        let asks = known.below.is_some() && next < f.end.x.min(g.end.x);
+        Known { until: if asks { known.until.min(next) } else { known.until }, only: None, ..known }
     }
 
     fn placed(&self, f: &Sweeped, g: &Sweeped, x: f64) -> Option<bool> {

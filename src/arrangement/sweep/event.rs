@@ -3,6 +3,7 @@
 use super::Sweep;
 use crate::arrangement::cross::{CrossingModule, Crossings};
 use crate::arrangement::curve::compare;
+use crate::arrangement::known::Known;
 use crate::arrangement::moment::Moment;
 use crate::arrangement::status::{DOWN, NOWHERE, Place, UP};
 use crate::robustness::Step;
@@ -48,7 +49,8 @@ impl<M: CrossingModule> Sweep<'_, M> {
             self.joined.extend([event.lower, event.upper]);
             return;
         }
-        let asks = event.asks || self.known(event.lower, event.upper).below.is_some();
+        let known = self.known(event.lower, event.upper);
+        let asks = event.asks || known != Known::NOTHING;
         if self.robustness.takes(Step::LateSwaps) && asks && self.settled(lower).is_ok() {
             self.audit.stale += 1;
             return;
@@ -105,7 +107,8 @@ impl<M: CrossingModule> Sweep<'_, M> {
             place = place_now.then_some(moment.at);
         }
         let known = self.known(f, g);
-        if known.until.is_finite() {
+        // As long as geometry says what knowledge can only confirm, the next crossing is soon enough to ask again.
+        if known.until.is_finite() && known.only != Some(below) {
             let curve = &self.curves[f as usize];
             let at = DVec2::new(known.until, curve.y_at(known.until.min(curve.end.x)));
             self.queue.push(Reverse(Event { moment: Moment::from(at), lower: f, upper: g, asks: true }));
