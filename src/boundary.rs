@@ -75,6 +75,7 @@ impl Boundary {
             r: s.r,
             source: Source { first: s.edge, second: 0 },
             operand,
+            weight: 1,
         };
         self.loops.iter().flatten().map(piece).collect()
     }

@@ -13,6 +13,7 @@ pub mod boundary;
 mod cellwise;
 pub mod chain;
 pub mod convolution;
+pub mod cull;
 pub mod errata;
 pub mod exact;
 pub mod extract;

@@ -106,5 +106,5 @@ impl Side {
 fn piece(seg: &Seg, mirrored: bool) -> Piece {
     let [a, b] = [seg.a, seg.b].map(|angle| if mirrored { angle.opposite() } else { angle });
     let (tail, head, source) = (seg.tail, seg.head, Source::default());
-    Piece { tail, head, a, b, whole: [tail, head], delta: seg.delta, r: seg.r, source, operand: 0 }
+    Piece { tail, head, a, b, whole: [tail, head], delta: seg.delta, r: seg.r, source, operand: 0, weight: 1 }
 }

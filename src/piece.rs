@@ -38,6 +38,8 @@ pub struct Piece {
     pub source: Source,
     /// Which operand of a set operation the piece bounds: 0 or 1. A convolution is operand 0.
     pub operand: u8,
+    /// By how much the winding number on the left exceeds that on the right: 1 but for the rims of what was culled.
+    pub weight: i32,
 }
 
 /// A set of pieces that together form closed loops: every vertex has as many pieces in as out, per operand. Those of a convex

@@ -4,6 +4,7 @@
 use crate::arrangement::{Arrangement, arrange_by};
 use crate::cellwise::decide;
 use crate::convolution::{convex_by, kinetic_by, monotonic_by, ordered};
+use crate::cull::{Culled, cull};
 use crate::extract::{outline, region};
 use crate::frame::Frame;
 use crate::heuristic::{Rejected, reject};
@@ -37,6 +38,9 @@ pub struct Options {
     /// The threshold below which cells are not believed to be free (MS 8.2), in unit-box lengths; none rejects no cells.
     /// See [`crate::heuristic`].
     pub threshold: Option<f64>,
+    /// Whether to leave out what lies deep inside the sum before the arrangement ([`crate::cull`]), if there is no threshold.
+    /// MS do not; the sum is the same but for roundings, cells inside it are not.
+    pub culling: bool,
 }
 
 /// Time of each stage.
@@ -44,7 +48,7 @@ pub struct Options {
 pub struct Times {
     /// Normalisation and convolution.
     pub convolution: Duration,
-    /// Arrangement.
+    /// Culling and arrangement.
     pub arrangement: Duration,
     /// Extraction, the heuristic, and what decides cells one by one.
     pub extraction: Duration,
@@ -101,21 +105,27 @@ pub fn sum(a: &Region, b: &Region, options: &Options) -> Result<Sum, SumError> {
     let plane = pieces.is_none();
     let (convolution, order) = pieces.unwrap_or_else(|| (Pieces { base: [1, 0], ..Pieces::default() }, None));
     let convolved = Instant::now();
-    let mut arrangement = match &order {
-        None => arrange_by(&convolution, options.robustness),
-        Some(order) => ordered::arrange(&convolution, order, options.robustness),
+    let culls = options.culling && options.threshold.is_none() && options.convolution != Convolution::Convex;
+    let culled = if culls { cull(&convolution) } else { None };
+    let order = match &culled {
+        None => order,
+        Some(Culled { pieces, origins }) => order.map(|order| order.of_parts(pieces, origins)),
     };
-    let arranged = Instant::now();
+    let arranged = culled.as_ref().map_or(&convolution, |culled| &culled.pieces);
+    let mut arrangement = match &order {
+        None => arrange_by(arranged, options.robustness),
+        Some(order) => ordered::arrange(arranged, order, options.robustness),
+    };
+    let done = Instant::now();
     if options.convolution == Convolution::Convex && !plane {
         decide(&mut arrangement, &smooth_a, &smooth_b);
     }
     let mut with_connectors = options.threshold.map(|_| convolution.clone());
     let threshold = options.threshold.unwrap_or_default();
     let rejected = with_connectors.as_mut().map(|pieces| reject(&mut arrangement, pieces, threshold));
-    let loops = outline(&arrangement, with_connectors.as_ref().unwrap_or(&convolution), |w| w[0] != 0);
+    let loops = outline(&arrangement, with_connectors.as_ref().unwrap_or(arranged), |w| w[0] != 0);
     let region = region(&loops, convolution.base[0] != 0 || plane, |p| frames.0.sum_to_input(&frames.1, p));
-    let times =
-        Times { convolution: convolved - start, arrangement: arranged - convolved, extraction: arranged.elapsed() };
+    let times = Times { convolution: convolved - start, arrangement: done - convolved, extraction: done.elapsed() };
     Ok(Sum { region, convolution, frames, arrangement, rejected, times })
 }
 

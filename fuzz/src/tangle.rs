@@ -27,6 +27,7 @@ pub fn tangle(loops: &[Vec<DVec2>]) -> Pieces {
                 r: 0.0,
                 source,
                 operand: 0,
+                weight: 1,
             });
         }
     }

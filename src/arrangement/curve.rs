@@ -84,7 +84,7 @@ impl Curve {
             (false, false) => [piece.b.opposite(), piece.a.opposite()],
         };
         let mut weight = [0; 2];
-        weight[usize::from(piece.operand)] = if forward { 1 } else { -1 };
+        weight[usize::from(piece.operand)] = if forward { piece.weight } else { -piece.weight };
         Some(Self {
             start: from.1,
             first: from.0,

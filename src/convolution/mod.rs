@@ -9,7 +9,7 @@ mod kinetic;
 mod monotonic;
 pub mod order;
 pub mod ordered;
-mod part;
+pub(crate) mod part;
 mod sites;
 mod sums;
 
@@ -26,6 +26,7 @@ use kinetic::Side;
 use monotonic::Monotonic;
 use order::Order;
 use sums::Sums;
+pub(crate) use sums::straight;
 
 /// A place inside an arc of an operand at which sum segments end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

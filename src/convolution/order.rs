@@ -11,6 +11,7 @@
 
 use crate::arrangement::curve::Curve;
 use crate::arrangement::known::Known;
+use crate::piece::Pieces;
 
 /// A kind of segment at a pair of turning points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -198,6 +199,18 @@ impl Order {
             own.sort_unstable_by(|p, q| p.range[0].total_cmp(&q.range[0]).then(p.piece.cmp(&q.piece)));
         }
         self.members = sorted;
+    }
+
+    /// The order of parts of the pieces, given for each part its piece, if it is part of one.
+    #[must_use]
+    pub fn of_parts(&self, pieces: &Pieces, origins: &[Option<u32>]) -> Self {
+        let mut order = Self { groups: self.groups.clone(), without: self.without, ..Self::default() };
+        for (part, origin) in pieces.pieces.iter().zip(origins) {
+            let [p, q] = [part.tail, part.head].map(|v| pieces.points[v as usize].x);
+            order.push([p.min(q), p.max(q)], origin.map_or(&[], |piece| self.roles(piece)));
+        }
+        order.finish();
+        order
     }
 
     /// Notes that a crust runs along a moved chain of this kind between two abscissas.

@@ -36,7 +36,7 @@ impl Placed<'_> {
 fn reversed(seg: &Seg, tail: u32, head: u32, source: Source) -> Piece {
     let (a, b) = (seg.b.opposite(), seg.a.opposite());
     let delta = if seg.kind == Kind::Line { 0.0 } else { -seg.delta };
-    Piece { tail, head, a, b, whole: [tail, head], delta, r: -seg.r, source, operand: 0 }
+    Piece { tail, head, a, b, whole: [tail, head], delta, r: -seg.r, source, operand: 0, weight: 1 }
 }
 
 /// Collects the sum segments of two regions.
@@ -186,8 +186,18 @@ impl<'a> Sums<'a> {
         let (tail, head) = if forward { (tail, head) } else { (head, tail) };
         let normal = if forward { line.seg.a } else { line.seg.a.opposite() };
         let source = self.source(summands[0].seg, summands[1].seg);
-        let piece =
-            Piece { tail, head, a: normal, b: normal, whole: [tail, head], delta: 0.0, r: 0.0, source, operand: 0 };
+        let piece = Piece {
+            tail,
+            head,
+            a: normal,
+            b: normal,
+            whole: [tail, head],
+            delta: 0.0,
+            r: 0.0,
+            source,
+            operand: 0,
+            weight: 1,
+        };
         self.push(piece, summands.map(|placed| placed.summand()));
     }
 
@@ -215,9 +225,31 @@ impl<'a> Sums<'a> {
         let flip = |angle: Ang| if (r > 0.0) == (radius > 0.0) { angle } else { angle.opposite() };
         let (low, high) = (flip(low), flip(high));
         let piece = if increasing {
-            Piece { tail: from, head: to, a: low, b: high, whole: [from, to], delta: half, r, source, operand: 0 }
+            Piece {
+                tail: from,
+                head: to,
+                a: low,
+                b: high,
+                whole: [from, to],
+                delta: half,
+                r,
+                source,
+                operand: 0,
+                weight: 1,
+            }
         } else {
-            Piece { tail: to, head: from, a: high, b: low, whole: [to, from], delta: -half, r, source, operand: 0 }
+            Piece {
+                tail: to,
+                head: from,
+                a: high,
+                b: low,
+                whole: [to, from],
+                delta: -half,
+                r,
+                source,
+                operand: 0,
+                weight: 1,
+            }
         };
         self.push(piece, [x.summand(), y.summand()]);
     }
@@ -257,5 +289,5 @@ impl<'a> Sums<'a> {
 /// The line between two vertices. Where they have equal coordinates the arrangement merges them, and any normal will do.
 pub fn straight(points: &[DVec2], tail: u32, head: u32, source: Source) -> Piece {
     let normal = Ang::of_line(points[tail as usize], points[head as usize]).unwrap_or(Ang::RIGHT);
-    Piece { tail, head, a: normal, b: normal, whole: [tail, head], delta: 0.0, r: 0.0, source, operand: 0 }
+    Piece { tail, head, a: normal, b: normal, whole: [tail, head], delta: 0.0, r: 0.0, source, operand: 0, weight: 1 }
 }

@@ -152,6 +152,7 @@ impl Splitter {
             r: 0.0,
             source: Source { first: u32::MAX, second: pieces.pieces.len() as u32 },
             operand: 0,
+            weight: 1,
         };
         let made = Curve::new(pieces.pieces.len() as u32, &piece, (low, p), (high, q), [p, q]);
         if let Some(mut made) = made {

@@ -81,7 +81,7 @@ pub fn curve(index: u32, ends: [(u32, DVec2); 2], delta: f64) -> Option<Curve> {
     let gamma = Ang::of_line(ends[0].1, ends[1].1)?;
     let (a, b) = (gamma.plus(-delta), gamma.plus(delta));
     let source = Source::default();
-    let piece = Piece { tail: 0, head: 0, a, b, whole: [0; 2], delta, r: 0.0, source, operand: 0 };
+    let piece = Piece { tail: 0, head: 0, a, b, whole: [0; 2], delta, r: 0.0, source, operand: 0, weight: 1 };
     Curve::new(index, &piece, ends[0], ends[1], [ends[0].1, ends[1].1])
 }
 

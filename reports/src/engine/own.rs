@@ -45,7 +45,10 @@ impl Own {
             return Some(Self::new(Convolution::Convex));
         }
         let threshold = (name == "kinetic-heuristic").then_some(THRESHOLD);
-        let (whole, robustness) = if threshold.is_some() {
+        let culled = name.strip_suffix("-culled");
+        let (whole, robustness) = if let Some(whole) = culled {
+            (whole, Robustness::ALL)
+        } else if threshold.is_some() {
             ("kinetic", Robustness::ALL)
         } else if let Some(whole) = name.strip_prefix("naive-") {
             (whole, Robustness::NONE)
@@ -60,7 +63,10 @@ impl Own {
             "monotonic" => Convolution::Monotonic,
             _ => return None,
         };
-        Some(Self { name: name.to_owned(), options: Options { convolution, robustness, threshold } })
+        Some(Self {
+            name: name.to_owned(),
+            options: Options { convolution, robustness, threshold, culling: culled.is_some() },
+        })
     }
 }
 
