@@ -202,21 +202,36 @@ impl<M: CrossingModule> Merge<'_, '_, M> {
         let [Some(f), Some(g)] = [p, q].map(|span| self.curves.made[span.piece].as_ref()) else { return };
         let exchanged = q.piece < p.piece;
         let answer = if exchanged { self.module.cross(g, f).exchanged() } else { self.module.cross(f, g) };
-        let (mut below, mut start) = (answer.below, None);
+        let (mut below, mut start, mut end) = (answer.below, None, None);
         for crossing in answer.points() {
             let place = crossing.at;
+            let [outer, next] = if below == self.upper { [q, p] } else { [p, q] };
             if place.x >= to {
+                end = self.cut(place, to, outer.right);
                 break;
             }
             if place.x > from {
-                let vertex = self.points.len() as u32;
-                self.points.push(place);
+                let vertex = self.add(place);
                 self.outer(below, [p, q], (start, from), (Some(vertex), place.x));
                 start = Some(vertex);
+            } else {
+                start = self.cut(place, from, next.left);
             }
             below = !below;
         }
-        self.outer(below, [p, q], (start, from), (None, to));
+        self.outer(below, [p, q], (start, from), (end, to));
+    }
+
+    /// The vertex that takes the place of the end of a piece where another one crosses it so near by that the abscissa is the
+    /// same but for rounding. What is left beyond would be behind the other one, and on a steep piece it may be long.
+    fn cut(&mut self, place: DVec2, x: f64, end: u32) -> Option<u32> {
+        let own = self.points[end as usize];
+        (place.x == x && own.x == x && own.y != place.y).then(|| self.add(place))
+    }
+
+    fn add(&mut self, place: DVec2) -> u32 {
+        self.points.push(place);
+        (self.points.len() - 1) as u32
     }
 
     /// Adds the outer of two spans, given whether the first is below, between two ends: vertices, or abscissas.

@@ -6,6 +6,7 @@
 //! not pass; one that is blocked and farther from the free space than the circle is wide does, up to a few roundings.
 
 use crate::cases::Case;
+use crate::engine::corners::Corners;
 use arcsum::arrangement::Arrangement;
 use arcsum::arrangement::curve::Curve;
 use arcsum::convolution::kinetic;
@@ -59,22 +60,22 @@ fn direction(i: usize) -> DVec2 {
 
 /// Visits the test points of the free cells, and whether they are strictly inside.
 fn probes(arrangement: &Arrangement, mut visit: impl FnMut(DVec2, bool)) {
-    let graph = &arrangement.graph;
+    let (graph, corners) = (&arrangement.graph, Corners::new(arrangement));
     let is_free = |face: u32| graph.windings[face as usize][0] == 0;
     for trapezoid in arrangement.trapezoids.iter().filter(|t| is_free(t.face)) {
         let curves = [trapezoid.bottom, trapezoid.top].map(|curve| &graph.curves[curve as usize]);
         let x = 0.5 * (trapezoid.from + trapezoid.to);
         let [low, high] = curves.map(|curve| curve.y_at(x));
         let y = 0.5 * (low + high);
-        visit(DVec2::new(x, y), trapezoid.from < x && x < trapezoid.to && low < y && y < high);
-        for x in [trapezoid.from, trapezoid.to] {
-            curves.iter().for_each(|curve| visit(DVec2::new(x, curve.y_at(x)), false));
+        if trapezoid.from < x && x < trapezoid.to && low < y && y < high {
+            visit(DVec2::new(x, y), true);
         }
+        corners.of(trapezoid).for_each(|corner| visit(corner, false));
     }
     for edge in graph.edges.iter().filter(|edge| is_free(edge.below) != is_free(edge.above)) {
         let [p, q] = [edge.from, edge.to].map(|vertex| graph.points[vertex as usize]);
-        let (x, curve) = (0.5 * (p.x + q.x), &graph.curves[edge.curve as usize]);
-        visit(DVec2::new(x, if curve.is_vertical() { 0.5 * (p.y + q.y) } else { curve.y_at(x) }), false);
+        let is_vertical = graph.curves[edge.curve as usize].is_vertical();
+        visit(if is_vertical { 0.5 * (p + q) } else { corners.at(edge, 0.5 * (p.x + q.x)) }, false);
     }
 }
 

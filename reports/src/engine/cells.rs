@@ -7,6 +7,7 @@
 //! Up to [`MOST`] trapezoids of free cells and as many of blocked ones are handed over, beyond that every so many of them;
 //! of free cells of no more than [`SMALL`] trapezoids, where bubbles are, all.
 
+use super::corners::Corners;
 use arcsum::arrangement::trapezoid::Trapezoid;
 use arcsum::sum::Sum;
 
@@ -47,9 +48,9 @@ pub fn cells(sum: &Sum) -> Cells {
     for (cell, winding) in found.iter_mut().zip(windings) {
         cell.free = winding[0] == 0;
     }
-    let kept = selected(sum);
+    let (kept, corners) = (selected(sum), Corners::new(&sum.arrangement));
     for trapezoid in &kept {
-        add(&mut found[trapezoid.face as usize], sum, trapezoid);
+        add(&mut found[trapezoid.face as usize], sum, &corners, trapezoid);
     }
     found.rotate_left(1.min(windings.len()));
     found.retain(|cell| !(cell.inside.is_empty() && cell.corners.is_empty()));
@@ -80,18 +81,16 @@ fn selected(sum: &Sum) -> Vec<Trapezoid> {
 }
 
 /// Adds the test points of a trapezoid. One too thin for a double between its curves has no middle.
-fn add(cell: &mut Cell, sum: &Sum, trapezoid: &Trapezoid) {
-    let curves = [trapezoid.bottom, trapezoid.top].map(|curve| &sum.arrangement.graph.curves[curve as usize]);
-    let heights = |x: f64| curves.map(|curve| curve.y_at(x));
+fn add(cell: &mut Cell, sum: &Sum, corners: &Corners, trapezoid: &Trapezoid) {
     let x = 0.5 * (trapezoid.from + trapezoid.to);
-    let [low, high] = heights(x);
+    let curves = [trapezoid.bottom, trapezoid.top].map(|curve| &sum.arrangement.graph.curves[curve as usize]);
+    let [low, high] = curves.map(|curve| curve.y_at(x));
     let y = 0.5 * (low + high);
     if trapezoid.from < x && x < trapezoid.to && low < y && y < high {
         cell.inside.push([x, y]);
     }
     if cell.free {
-        let corners = [trapezoid.from, trapezoid.to].map(|x| heights(x).map(|y| [x, y]));
-        for corner in corners.into_iter().flatten() {
+        for corner in corners.of(trapezoid).map(|p| p.to_array()) {
             // Neighbours share corners.
             if !cell.corners.iter().rev().take(8).any(|known| *known == corner) {
                 cell.corners.push(corner);

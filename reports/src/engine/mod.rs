@@ -2,6 +2,7 @@
 
 pub mod cells;
 pub mod command;
+pub mod corners;
 pub mod own;
 pub mod registry;
 

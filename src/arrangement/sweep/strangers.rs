@@ -4,6 +4,7 @@ use super::Sweep;
 use crate::arrangement::cross::CrossingModule;
 use crate::arrangement::status::{DOWN, NOWHERE, Place, UP};
 use crate::robustness::Step;
+use std::cmp::Ordering;
 
 impl<M: CrossingModule> Sweep<'_, M> {
     /// Brings the places of the ending curves together by swapping strangers out towards the nearer side. Lines among the
@@ -85,6 +86,59 @@ impl<M: CrossingModule> Sweep<'_, M> {
                 top -= 1;
             }
         }
+    }
+
+    /// Moves the ending curves, which are together, to where those that start at the vertex are known to belong, as if these
+    /// were put in one by one (MS 7.1). Returns the places around all that was touched.
+    pub(super) fn move_into_order(
+        &mut self,
+        ending: &mut Vec<u32>,
+        starting: &[u32],
+        around: [Place; 2],
+    ) -> [Place; 2] {
+        if !self.robustness.takes(Step::Gather) {
+            return around;
+        }
+        let bounds = self.bounds(starting);
+        let block = self.status.place(ending[0]);
+        // A line cut here is taken out and goes on among those that start.
+        let is_beyond = |side: usize, order| {
+            let bound = bounds[side];
+            let is_stranger = bound != NOWHERE && !ending.contains(&self.status.curve(bound));
+            is_stranger && self.status.compare(bound, block) == order
+        };
+        match [is_beyond(DOWN, Ordering::Greater), is_beyond(UP, Ordering::Less)] {
+            [true, false] => self.move_beyond(ending, bounds[DOWN], UP, around),
+            [false, true] => self.move_beyond(ending, bounds[UP], DOWN, around),
+            _ => around,
+        }
+    }
+
+    /// Moves the ending curves up, or down, beyond the curve at a place. Lines on the way that pass through the point end
+    /// here, too.
+    fn move_beyond(&mut self, ending: &mut Vec<u32>, bound: Place, side: usize, mut around: [Place; 2]) -> [Place; 2] {
+        around[side] = self.status.near(bound, side);
+        let mut block: Vec<Place> = ending.iter().map(|curve| self.status.place(*curve)).collect();
+        block.sort_unstable_by(|p, q| self.status.compare(*p, *q));
+        if side == DOWN {
+            block.reverse();
+        }
+        while let next = self.status.near(block[block.len() - 1], side)
+            && next != around[side]
+        {
+            let curve = self.status.curve(next);
+            block.push(next);
+            if self.passes(curve) {
+                ending.push(curve);
+                continue;
+            }
+            for pair in block.windows(2).rev() {
+                let [lower, upper] = if side == UP { [pair[0], pair[1]] } else { [pair[1], pair[0]] };
+                self.gather_swap(lower, upper);
+            }
+            block.remove(0);
+        }
+        around
     }
 
     fn gather_swap(&mut self, lower: Place, upper: Place) {

@@ -15,10 +15,20 @@ use glam::DVec2;
 const TRUST: f64 = 256.0 / 4.0;
 
 impl<M: CrossingModule> Sweep<'_, M> {
-    /// What is known about the order of two curves just after the current event.
+    /// What is known about the order of two active curves just after the current event. Where one of them is about to end it
+    /// is what is known up to there.
     pub(super) fn known(&self, f: u32, g: u32) -> Known {
-        let known = self.module.known(&self.curves[f as usize], &self.curves[g as usize], self.now.x);
-        Known { below: known.below.filter(|below| self.is_borne_out(*below, f, g)), ..known }
+        let known = self.module.known(&self.curves[f as usize], &self.curves[g as usize], self.abscissa(f, g));
+        let until = if known.until > self.now.x { known.until } else { f64::INFINITY };
+        Known { below: known.below.filter(|below| self.is_borne_out(*below, f, g)), until }
+    }
+
+    /// The current abscissa, or the one before if one of two curves ends here and both came from there.
+    fn abscissa(&self, f: u32, g: u32) -> f64 {
+        let [f, g] = [f, g].map(|curve| &self.curves[curve as usize]);
+        let x = self.now.x;
+        let ends = f.end.x.min(g.end.x) <= x && f.start.x.max(g.start.x) < x;
+        if ends { x.next_down() } else { x }
     }
 
     /// What is known about where to put a curve that begins, relative to another.

@@ -44,7 +44,8 @@ impl<M: CrossingModule> Sweep<'_, M> {
             ending.extend(hit.map(|place| self.status.curve(place)));
             around
         } else {
-            self.gather(ending)
+            let around = self.gather(ending);
+            self.move_into_order(ending, starting, around)
         };
         let below = self.absorb(&mut around, ending, places);
         let apart = places.len() < ending.len();
@@ -108,7 +109,7 @@ impl<M: CrossingModule> Sweep<'_, M> {
     }
 
     /// The highest active curve that is known to be below some curve that starts here, and the lowest one above.
-    fn bounds(&self, starting: &[u32]) -> [Place; 2] {
+    pub(super) fn bounds(&self, starting: &[u32]) -> [Place; 2] {
         let (mut bounds, mut related) = ([NOWHERE; 2], Vec::new());
         for &new in starting {
             related.clear();
