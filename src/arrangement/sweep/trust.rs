@@ -20,7 +20,7 @@ impl<M: CrossingModule> Sweep<'_, M> {
     pub(super) fn known(&self, f: u32, g: u32) -> Known {
         let known = self.module.known(&self.curves[f as usize], &self.curves[g as usize], self.abscissa(f, g));
         let until = if known.until > self.now.x { known.until } else { f64::INFINITY };
-        Known { below: known.below.filter(|below| self.is_borne_out(*below, f, g)), until }
+        Known { below: known.below.filter(|below| self.is_borne_out(*below, f, g)), until, ..known }
     }
 
     /// The current abscissa, or the one before if one of two curves ends here and both came from there.
