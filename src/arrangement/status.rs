@@ -104,24 +104,34 @@ impl Status {
         (around, None)
     }
 
-    /// The order of two places from bottom to top.
+    /// The order of two places from bottom to top: by the sides on which their ways to the root come together.
     #[must_use]
     pub fn compare(&self, p: Place, q: Place) -> Ordering {
-        self.rank(p).cmp(&self.rank(q))
+        let (mut places, mut depths) = ([p, q], [self.depth(p), self.depth(q)]);
+        let mut from = [None; 2];
+        while places[0] != places[1] {
+            let deeper = usize::from(depths[0] < depths[1]);
+            from[deeper] = Some(places[deeper]);
+            places[deeper] = self.nodes[places[deeper] as usize].parent;
+            depths[deeper] -= 1;
+        }
+        let side = |child: Option<Place>| match child {
+            None => 0,
+            Some(child) if self.nodes[places[0] as usize].child[UP] == child => 1,
+            Some(_) => -1,
+        };
+        side(from[0]).cmp(&side(from[1]))
     }
 
-    /// Where a place is in the tree: a binary fraction, read from the root, of which way each step goes.
-    fn rank(&self, place: Place) -> Vec<u8> {
-        let mut steps = vec![1];
-        let mut at = place;
+    /// How far a place is from the root.
+    fn depth(&self, place: Place) -> usize {
+        let (mut depth, mut at) = (0, place);
         while let parent = self.nodes[at as usize].parent
             && parent != NOWHERE
         {
-            steps.push(if self.nodes[parent as usize].child[UP] == at { 2 } else { 0 });
-            at = parent;
+            (depth, at) = (depth + 1, parent);
         }
-        steps.reverse();
-        steps
+        depth
     }
 
     /// Puts a curve directly above a place, or lowest of all above `NOWHERE`.
@@ -300,6 +310,10 @@ mod tests {
                 }
             }
             assert_eq!(list(&status), model);
+            if !model.is_empty() {
+                let (i, j) = (random(model.len()), random(model.len()));
+                assert_eq!(status.compare(status.place(model[i]), status.place(model[j])), i.cmp(&j));
+            }
             assert_eq!(status.size(), model.len());
             let target = random(model.len() + 1);
             let (around, hit) = status.search(|c| {

@@ -7,6 +7,7 @@ mod boolean_exact;
 mod convex;
 mod convolution;
 mod crossing;
+mod cull;
 mod exact;
 mod falsely_free;
 mod families;

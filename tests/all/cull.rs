@@ -1,0 +1,152 @@
+//! Culling: what is left has the winding numbers of the whole, or is deep inside; and the sum is as right as without.
+
+use arcsum::arrangement::arrange;
+use arcsum::arrangement::cross::EPS;
+use arcsum::convolution::{kinetic, monotonic};
+use arcsum::cull::{Culled, cull};
+use arcsum::frame::Frame;
+use arcsum::piece::Pieces;
+use arcsum::region::{Node, Region};
+use arcsum::smooth::Smooth;
+use arcsum::sum::{Convolution, Options, Sum, sum};
+use arcsum::sum3::Rounding;
+use arcsum_oracle::measure::hausdorff;
+use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
+use arcsum_oracle::polygon;
+use arcsum_reports::cases::Case;
+use arcsum_reports::cases::family::Family;
+use arcsum_tests::random::Random;
+use glam::DVec2;
+
+/// A winding number that is only found inside of what was culled.
+const INSIDE: i32 = 1 << 19;
+
+/// Pairs whose convolutions cross themselves so often that they are culled.
+fn tangled(seed: u64) -> Vec<Case> {
+    let sizes = [("star", 20), ("radial", 90), ("twoopt", 60)];
+    let cases = |(name, size)| Family::named(name).expect("a family").cases_of_size(size, seed);
+    sizes.into_iter().flat_map(cases).collect()
+}
+
+/// Both convolutions of a pair.
+fn convolutions(case: &Case) -> [Pieces; 2] {
+    let frames = Frame::pair(&case.a, &case.b);
+    let [a, b] = [(&case.a, &frames.0), (&case.b, &frames.1)].map(|(r, frame)| Smooth::new(r, frame).expect("valid"));
+    let monotonic = monotonic(&a, &b, Rounding::Correct).expect("bounded").0;
+    [kinetic(&a, &b, Rounding::Correct).expect("bounded"), monotonic]
+}
+
+/// The winding number of a point in lines; none if one of them is near.
+fn winding(pieces: &Pieces, p: DVec2) -> Option<i32> {
+    let mut winding = pieces.base[0];
+    for piece in &pieces.pieces {
+        let [from, to] = [piece.tail, piece.head].map(|v| pieces.points[v as usize]);
+        if (from.x > p.x) == (to.x > p.x) {
+            continue;
+        }
+        let y = from.y + (to.y - from.y) * ((p.x - from.x) / (to.x - from.x));
+        if (y - p.y).abs() < 1e-9 {
+            return None;
+        }
+        if y < p.y {
+            winding += if from.x < to.x { piece.weight } else { -piece.weight };
+        }
+    }
+    Some(winding)
+}
+
+/// How many of some random points have another winding number in what is left, if that is not deep inside where the
+/// convolution is positive.
+fn wrong(whole: &Pieces, left: &Pieces, seed: u64) -> (usize, usize) {
+    let mut random = Random::new(seed);
+    let (mut wrong, mut outside) = (0, 0);
+    for _ in 0..400 {
+        let near = *random.pick(&whole.points);
+        let p = near + 0.05 * DVec2::new(random.unit() - 0.5, random.unit() - 0.5);
+        let (Some(before), Some(after)) = (winding(whole, p), winding(left, p)) else { continue };
+        let right = if after > INSIDE { before > 0 } else { before == after };
+        wrong += usize::from(!right);
+        outside += usize::from(after <= INSIDE);
+    }
+    (wrong, outside)
+}
+
+#[test]
+fn winding_numbers_stay_outside_of_what_was_culled() {
+    for case in (1..4).flat_map(tangled) {
+        for whole in convolutions(&case) {
+            let Culled { pieces, origins } = cull(&whole).expect("worth it");
+            assert_eq!(pieces.pieces.len(), origins.len());
+            let (wrong, outside) = wrong(&whole, &pieces, 1);
+            assert!(wrong == 0 && outside > 0, "{}: {wrong} wrong, {outside} outside", case.name);
+            assert_eq!(arrange(&pieces).graph.winding_conflicts, 0, "{}", case.name);
+        }
+    }
+}
+
+/// A rim that is missing, or has another weight, shows.
+#[test]
+fn a_wrong_rim_is_noticed() {
+    let case = &tangled(1)[0];
+    let [whole, _] = convolutions(case);
+    let Culled { pieces, origins } = cull(&whole).expect("worth it");
+    let (missing, heavier) = (&mut pieces.clone(), &mut pieces.clone());
+    let rim = origins.iter().position(Option::is_none).expect("a rim");
+    missing.pieces.remove(rim);
+    heavier.pieces[rim].weight += 1;
+    for spoiled in [missing, heavier] {
+        assert!(arrange(spoiled).graph.winding_conflicts > 0);
+    }
+    // Without all rims the winding numbers are wrong as well.
+    let mut open = pieces;
+    open.pieces.truncate(origins.iter().flatten().count());
+    assert!(wrong(&whole, &open, 1).0 > 0);
+}
+
+fn plain(region: &Region) -> PlainRegion {
+    let corner = |n: &Node| Corner { x: n.x, y: n.y, bend: Bend::Line };
+    PlainRegion {
+        loops: region.loops.iter().map(|l| l.iter().map(corner).collect()).collect(),
+        unbounded: region.unbounded,
+    }
+}
+
+fn summed(a: &Region, b: &Region, convolution: Convolution, culling: bool) -> Sum {
+    sum(a, b, &Options { convolution, culling, ..Options::default() }).expect("valid")
+}
+
+/// A star in a plane and in a star-shaped hole: as near the exact sum as without culling, from far fewer vertices.
+#[test]
+fn sums_stay_right() {
+    for seed in 1..3 {
+        let case = &tangled(seed)[0];
+        let container = case.a.loops.iter().map(container).collect();
+        let complement = Region { loops: container, unbounded: true, ..Region::default() };
+        for a in [&case.a, &complement] {
+            let exact = polygon::sum(&plain(a), &plain(&case.b)).expect("within budget");
+            for convolution in [Convolution::Kinetic, Convolution::Monotonic] {
+                let [whole, culled] = [false, true].map(|culling| summed(a, &case.b, convolution, culling));
+                let unit = 2_f64.powi(Frame::pair(a, &case.b).0.exp);
+                let bracket = hausdorff(&plain(&culled.region), &exact, unit).expect("measurable");
+                assert!(bracket.hi <= 20.0 * EPS, "{bracket:?}");
+                let vertices = [&whole, &culled].map(|sum| sum.arrangement.audit.vertices);
+                assert!(vertices[1] < vertices[0] && culled.region.unbounded == a.unbounded, "{vertices:?}");
+            }
+        }
+    }
+}
+
+/// A loop run backwards and of twice the size.
+fn container(corners: &Vec<Node>) -> Vec<Node> {
+    corners.iter().rev().map(|node| Node { x: 2.0 * node.x, y: 2.0 * node.y, ..*node }).collect()
+}
+
+/// Few pieces, or a convolution that hardly crosses itself, are left alone.
+#[test]
+fn what_gains_nothing_is_left_alone() {
+    for (name, size) in [("arcs", 20), ("star", 4)] {
+        for case in Family::named(name).expect("a family").cases_of_size(size, 1) {
+            assert!(convolutions(&case).iter().all(|whole| cull(whole).is_none()), "{}", case.name);
+        }
+    }
+}
