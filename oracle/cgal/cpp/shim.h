@@ -1,0 +1,31 @@
+// The C ABI of the shim, and what its files share.
+//
+// A region crosses as text on one line, a loop x y x y ... ended by a semicolon, each number an integer p or a fraction p/q
+// in decimal, so that nothing is rounded on the way. An answer is one line too, in memory that arcsum_cgal_free gives back:
+//
+//     ok NANOSECONDS; LOOPS    the result; the time is that of the operation with an exact result forced, without reading,
+//                              validating and writing
+//     refused REASON           the input is none that CGAL promises an answer for; CGAL was not asked
+//     failed REASON            CGAL gave up: an assertion or another exception
+//
+// The shim never throws, and never prints. What it cannot prevent is a process that dies inside CGAL.
+#pragma once
+
+extern "C" {
+// CGAL's version, as 5.5.1; static memory.
+const char* arcsum_cgal_version();
+
+// The sum of two regions, each an outer loop and its holes in any order. The numbers of strategies and kernels are those
+// of the enumerations below.
+char* arcsum_cgal_sum(int strategy, int kernel, const char* a, const char* b);
+
+// Frees an answer; none is freed without harm.
+void arcsum_cgal_free(char* answer);
+}
+
+namespace shim {
+
+enum Strategy { REDUCED, FULL, SMALL_SIDE, OPTIMAL, HERTEL_MEHLHORN, GREENE, VERTICAL, TRIANGULATION };
+enum Kernel { EXACT, RATIONAL, INEXACT };
+
+}  // namespace shim

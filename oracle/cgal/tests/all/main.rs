@@ -1,0 +1,10 @@
+//! What the shim promises, and how CGAL's answers compare with those of the references. Without CGAL there is nothing to
+//! test but that it is missing.
+
+mod agreement;
+mod bad_input;
+mod built_in;
+mod common;
+mod draw;
+mod known;
+mod verdict;
