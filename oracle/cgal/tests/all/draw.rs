@@ -42,7 +42,41 @@ pub fn cells(side: usize) -> impl Strategy<Value = Loops> {
     })
 }
 
-/// A pair of operands.
+/// A comb with upright teeth of random heights, or mirrored at the diagonal: of one of each kind the sum has holes.
+fn comb(mirrored: bool) -> impl Strategy<Value = Loops> {
+    (prop::collection::vec(8i64..20, 2..5), 1i64..3).prop_map(move |(heights, width)| {
+        let mut ring = vec![(0, -1), (4 * heights.len() as i64 - 4 + width, -1)];
+        for (i, &height) in heights.iter().enumerate().rev() {
+            let x = 4 * i as i64;
+            ring.extend([(x + width, 0), (x + width, height), (x, height), (x, 0)]);
+        }
+        if mirrored {
+            ring = ring.into_iter().rev().map(|(x, y)| (y, x)).collect();
+        }
+        let ring = ring.into_iter().map(|(x, y)| Point { x: Rational::from(x), y: Rational::from(y) }).collect();
+        // The normal form has no collinear vertices.
+        ExactRegion::from_rings(vec![ring], false, |w| w[0] != 0).expect("small integers").loops().to_vec()
+    })
+}
+
+/// The region made smaller.
+fn shrunk(loops: Loops, by: i64) -> Loops {
+    let factor = Rational::from((1, by));
+    loops.iter().map(|ring| ring.iter().map(|p| p.times(&factor)).collect()).collect()
+}
+
+/// A pair of operands; in half of them one is so small that holes remain.
 pub fn pair() -> impl Strategy<Value = (Loops, Loops)> {
-    prop_oneof![(walk(4..10), walk(3..7)), (cells(4), cells(3)), (walk(4..9), cells(3)), (cells(5), walk(3..6)),]
+    let part = || prop_oneof![walk(3..7), cells(3)].prop_map(|part| shrunk(part, 16));
+    prop_oneof![
+        (walk(4..10), walk(3..7)),
+        (cells(4), cells(3)),
+        (walk(4..9), cells(3)),
+        (cells(5), walk(3..6)),
+        (walk(5..12), part()),
+        (part(), walk(5..12)),
+        (cells(5), part()),
+        (cells(6), part()),
+        (comb(false), comb(true)),
+    ]
 }

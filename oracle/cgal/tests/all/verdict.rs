@@ -10,13 +10,15 @@ use arcsum_oracle::point::Point;
 use arcsum_oracle::region::ExactRegion;
 use arcsum_oracle::trapezoid::trapezoids;
 use rug::Rational;
-use std::fmt::{Display, Formatter};
 
 /// What is to be said about an answer of CGAL.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
     /// The same region.
-    Agrees,
+    Agrees {
+        /// Its holes.
+        holes: usize,
+    },
     /// Another region, which lacks a point of the sum or has one too many: proved by membership.
     Wrong {
         /// Whether the point belongs to the sum.
@@ -24,17 +26,6 @@ pub enum Verdict {
     },
     /// No region.
     None(CgalError),
-}
-
-impl Display for Verdict {
-    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Agrees => write!(f, "agrees"),
-            Self::Wrong { belongs: true } => write!(f, "lacks a point"),
-            Self::Wrong { belongs: false } => write!(f, "has a point too many"),
-            Self::None(error) => write!(f, "{error}"),
-        }
-    }
 }
 
 /// Compares CGAL's sum with the references, as regular closed sets.
@@ -45,24 +36,28 @@ pub fn verdict(child: &mut Child, method: Method, a: &Loops, b: &Loops) -> Verdi
     let answer = child.ask(&Question::Sum(method, a.clone(), b.clone())).and_then(|answer| answer.region());
     match answer {
         Err(error) => Verdict::None(error),
-        Ok(region) => compared(&region, a, b),
+        Ok(claimed) => compared(&claimed, &region(a), &region(b)),
     }
 }
 
-fn compared(claimed: &ExactRegion<Rational>, a: &Loops, b: &Loops) -> Verdict {
-    let [a, b] = [a, b].map(|loops| region(loops));
-    let sum = references(&a, &b);
+/// Compares a region that claims to be the sum.
+///
+/// # Panics
+/// If the references are wrong or disagree.
+pub fn compared(claimed: &ExactRegion<Rational>, a: &ExactRegion<Rational>, b: &ExactRegion<Rational>) -> Verdict {
+    let sum = references(a, b);
     if *claimed == sum {
-        return Verdict::Agrees;
+        return Verdict::Agrees { holes: sum.holes() };
     }
     let differ = combine(Operation::SymmetricDifference, claimed, &sum).expect("numbers of doubles");
     let point = inside(&differ).expect("different regions differ somewhere");
-    let belongs = meets(&a, &b, &point);
-    assert_eq!(belongs, meets_region(&sum, &point), "the references are wrong at {point:?}");
+    let belongs = meets(a, b, &point);
+    assert_eq!(belongs, contains(&sum, &point), "the references are wrong at {point:?}");
     Verdict::Wrong { belongs }
 }
 
-fn region(loops: &Loops) -> ExactRegion<Rational> {
+/// The region of the loops in normal form.
+pub fn region(loops: &Loops) -> ExactRegion<Rational> {
     ExactRegion::from_rings(loops.clone(), false, |w| w[0] != 0).expect("numbers of doubles")
 }
 
@@ -73,8 +68,8 @@ fn meets(a: &ExactRegion<Rational>, b: &ExactRegion<Rational>, t: &Point<Rationa
     !combine(Operation::Intersection, a, &moved).expect("numbers of doubles").is_empty()
 }
 
-/// Whether a point off the boundary is inside: a small triangle around it meets the region or not.
-fn meets_region(region: &ExactRegion<Rational>, t: &Point<Rational>) -> bool {
+/// Whether a point off the boundary is inside: an upward ray from it crosses the boundary an odd number of times.
+fn contains(region: &ExactRegion<Rational>, t: &Point<Rational>) -> bool {
     let crosses = |(p, q): &(&Point<Rational>, &Point<Rational>)| {
         (p.x <= t.x) != (q.x <= t.x) && q.minus(p).cross(&t.minus(p)).is_negative() == (p.x < q.x)
     };
