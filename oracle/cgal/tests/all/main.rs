@@ -6,5 +6,6 @@ mod bad_input;
 mod built_in;
 mod common;
 mod draw;
+mod issues;
 mod known;
 mod verdict;
