@@ -16,7 +16,8 @@ mod shim {
     use std::path::{Path, PathBuf};
 
     /// Each is heavy to compile and instantiates what no other one does.
-    const FILES: [&str; 5] = ["decompose_exact", "convolve_exact", "convolve_rational", "convolve_inexact", "shim"];
+    const FILES: [&str; 6] =
+        ["circles", "decompose_exact", "convolve_exact", "convolve_inexact", "convolve_rational", "shim"];
 
     pub fn build() {
         let version = Path::new("/usr/include/CGAL/version.h");

@@ -70,4 +70,15 @@ char* arcsum_cgal_sum(int strategy, int kernel, const char* a, const char* b) {
   return answered([&] { return sum(strategy, kernel, a, b); });
 }
 
+char* arcsum_cgal_offset(const char* region, const char* radius, double error) {
+  return answered([&] { return offset(region, outer_loop(region), radius, error); });
+}
+
+char* arcsum_cgal_combine(int operation, const char* a, const char* b) {
+  return answered([&] {
+    if (operation < UNION || operation > SYMMETRIC_DIFFERENCE) throw Refusal("no such operation");
+    return combine(static_cast<Operation>(operation), a, b);
+  });
+}
+
 void arcsum_cgal_free(char* answer) { std::free(answer); }

@@ -19,6 +19,16 @@ const char* arcsum_cgal_version();
 // of the enumerations below.
 char* arcsum_cgal_sum(int strategy, int kernel, const char* a, const char* b);
 
+// The offset of a region by a disc of a radius, a number in text: a region of line and circle segments whose distance from
+// the exact offset is at most the error.
+char* arcsum_cgal_offset(const char* region, const char* radius, double error);
+
+// A set operation, by its number below, on two regions of line and circle segments. A vertex is x y followed by the way to
+// the next one: l for a line, + CX CY or - CX CY for a circle segment about a centre, counter-clockwise or clockwise.
+// Results of this function and the last have three numbers p q r for a coordinate p + q sqrt(r), and the squared radius
+// behind each centre.
+char* arcsum_cgal_combine(int operation, const char* a, const char* b);
+
 // Frees an answer; none is freed without harm.
 void arcsum_cgal_free(char* answer);
 }
@@ -26,6 +36,7 @@ void arcsum_cgal_free(char* answer);
 namespace shim {
 
 enum Strategy { REDUCED, FULL, SMALL_SIDE, OPTIMAL, HERTEL_MEHLHORN, GREENE, VERTICAL, TRIANGULATION };
+enum Operation { UNION, INTERSECTION, DIFFERENCE, SYMMETRIC_DIFFERENCE };
 enum Kernel { EXACT, RATIONAL, INEXACT };
 
 }  // namespace shim

@@ -1,4 +1,4 @@
-// The sums by strategy, a kernel a file: each file instantiates what is heavy to compile, once.
+// What the shim can do, a kernel a file: each file instantiates what is heavy to compile, once.
 #pragma once
 
 #include <sstream>
@@ -38,5 +38,9 @@ std::string convolve_exact(Strategy strategy, const Operands& of);
 std::string convolve_rational(Strategy strategy, const Operands& of);
 std::string convolve_inexact(Strategy strategy, const Operands& of);
 std::string decompose_exact(Strategy strategy, const Operands& of);
+
+// An offset, and a set operation.
+std::string offset(const std::string& of, std::size_t outer, const std::string& radius, double error);
+std::string combine(Operation operation, const std::string& a, const std::string& b);
 
 }  // namespace shim

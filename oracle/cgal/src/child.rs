@@ -2,9 +2,8 @@
 //!
 //! [`serve`] is what such a process does: a question a line on standard input, an answer a line on standard output.
 
-use crate::answer::Answer;
 use crate::error::CgalError;
-use crate::question::Question;
+use crate::question::{Question, respond};
 use std::io::{BufRead, BufReader, Write};
 use std::path::PathBuf;
 use std::process::{Child as Process, ChildStdin, Command, Stdio};
@@ -39,14 +38,14 @@ impl Child {
     ///
     /// # Errors
     /// As [`Question::ask`], and when the child dies or is late.
-    pub fn ask(&mut self, question: &Question) -> Result<Answer, CgalError> {
+    pub fn ask<Q: Question>(&mut self, question: &Q) -> Result<Q::Answer, CgalError> {
         let limit = self.limit;
         let running = self.started()?;
         // A child that died is noticed by its silence.
         let _ = writeln!(running.input, "{}", question.line()).and_then(|()| running.input.flush());
         match running.lines.recv_timeout(limit) {
             Ok(line) if line == NOT_BUILT_IN => Err(CgalError::NotBuiltIn),
-            Ok(line) => Answer::read(&line),
+            Ok(line) => Q::read(&line),
             Err(RecvTimeoutError::Timeout) => {
                 self.end();
                 Err(CgalError::Late(limit.as_secs_f64()))
@@ -109,7 +108,7 @@ const NOT_BUILT_IN: &str = "not built in";
 /// When standard input or output fails.
 pub fn serve() -> std::io::Result<()> {
     for line in std::io::stdin().lock().lines() {
-        let answer = match Question::read(&line?).and_then(|question| question.raw()) {
+        let answer = match respond(&line?) {
             Ok(text) => text,
             Err(CgalError::NotBuiltIn) => NOT_BUILT_IN.into(),
             Err(CgalError::Refused(reason)) => format!("refused {reason}"),

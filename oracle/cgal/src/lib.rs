@@ -4,12 +4,14 @@
 //! [`error::CgalError::NotBuiltIn`]. Its answers are not the truth: versions in use lose holes (memo I7). Questions are put
 //! in this process by [`question::Question::ask`], or by [`child::Child`] in another one, for CGAL can end a process.
 
-pub mod answer;
 mod binding;
 pub mod child;
+pub mod curved;
 pub mod error;
 pub mod method;
 pub mod question;
+pub mod sum;
 mod text;
 
 pub use binding::{built_in, version};
+pub use text::Loops;

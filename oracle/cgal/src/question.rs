@@ -1,53 +1,62 @@
-//! A question to CGAL, and its one line for a process of its own.
+//! Questions to CGAL, each on one line of text, and how they are answered in this process.
 
-use crate::answer::Answer;
 use crate::binding;
 use crate::error::CgalError;
-use crate::method::Method;
-use crate::text::{self, Loops};
+use crate::text::Loops;
+use arcsum_oracle::boolean::Operation;
 use arcsum_oracle::plain::{Bend, PlainRegion};
 use arcsum_oracle::region::ring_points;
 
-/// A question; regions are an outer loop and its holes in any order, the interior on the left.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Question {
-    /// The Minkowski sum of two regions.
-    Sum(Method, Loops, Loops),
-}
+/// A question.
+pub trait Question {
+    /// What it is answered with.
+    type Answer;
 
-impl Question {
+    /// The question on one line.
+    fn line(&self) -> String;
+
+    /// The answer of a text (the C ABI says how it looks).
+    ///
+    /// # Errors
+    /// What the text says, or [`CgalError::Nonsense`].
+    fn read(text: &str) -> Result<Self::Answer, CgalError>;
+
     /// Asks CGAL in this process, which it may end.
     ///
     /// # Errors
     /// When CGAL is not built in, is not asked for lack of a valid input, gives up or answers nonsense.
-    pub fn ask(&self) -> Result<Answer, CgalError> {
-        Answer::read(&self.raw()?)
+    fn ask(&self) -> Result<Self::Answer, CgalError> {
+        Self::read(&respond(&self.line())?)
     }
+}
 
-    /// The text of the answer.
-    pub(crate) fn raw(&self) -> Result<String, CgalError> {
-        match self {
-            Self::Sum(method, a, b) => binding::sum(*method, &text::write(a), &text::write(b)),
+/// The text of CGAL's answer to a line.
+pub(crate) fn respond(line: &str) -> Result<String, CgalError> {
+    let refused = |what: &str| CgalError::Refused(format!("no {what}"));
+    match line.split('|').collect::<Vec<_>>()[..] {
+        ["sum", method, a, b] => binding::sum(method.parse().map_err(|_| refused(method))?, a, b),
+        ["offset", error, radius, region] => {
+            binding::offset(region, radius, error.parse().map_err(|_| refused("error"))?)
         }
+        ["combine", operation, a, b] => {
+            let known = Operation::ALL.into_iter().find(|known| format!("{known:?}") == operation);
+            binding::combine(known.ok_or_else(|| refused(operation))?, a, b)
+        }
+        _ => Err(refused("such question")),
     }
+}
 
-    /// The question on one line.
-    pub(crate) fn line(&self) -> String {
-        match self {
-            Self::Sum(method, a, b) => format!("sum|{method}|{}|{}", text::write(a), text::write(b)),
-        }
+/// The time in nanoseconds and the loops of a text that holds a result.
+pub(crate) fn result(text: &str) -> Result<(u64, &str), CgalError> {
+    let nonsense = || CgalError::Nonsense(text.chars().take(60).collect());
+    if let Some(reason) = text.strip_prefix("refused ") {
+        return Err(CgalError::Refused(reason.to_owned()));
     }
-
-    /// The question of a line.
-    pub(crate) fn read(line: &str) -> Result<Self, CgalError> {
-        match line.split('|').collect::<Vec<_>>()[..] {
-            ["sum", method, a, b] => {
-                let method = method.parse().map_err(|_| CgalError::Refused(format!("no method {method}")))?;
-                Ok(Self::Sum(method, text::read(a)?, text::read(b)?))
-            }
-            _ => Err(CgalError::Refused("no such question".into())),
-        }
+    if let Some(reason) = text.strip_prefix("failed ") {
+        return Err(CgalError::Failed(reason.to_owned()));
     }
+    let (time, loops) = text.strip_prefix("ok ").and_then(|rest| rest.split_once(';')).ok_or_else(nonsense)?;
+    Ok((time.parse().map_err(|_| nonsense())?, loops))
 }
 
 /// The loops of a polygonal region, whose doubles are taken literally.
@@ -55,13 +64,17 @@ impl Question {
 /// # Errors
 /// [`CgalError::Refused`] for unbounded regions, circle segments and coordinates that are not finite.
 pub fn loops(region: &PlainRegion) -> Result<Loops, CgalError> {
-    let refused = |reason: &str| CgalError::Refused(reason.to_owned());
-    if region.unbounded {
-        return Err(refused("an unbounded region"));
-    }
     if region.loops.iter().flatten().any(|corner| corner.bend != Bend::Line) {
-        return Err(refused("a circle segment"));
+        return Err(CgalError::Refused("a circle segment".into()));
+    }
+    points(region)
+}
+
+/// The vertices of a bounded region.
+pub(crate) fn points(region: &PlainRegion) -> Result<Loops, CgalError> {
+    if region.unbounded {
+        return Err(CgalError::Refused("an unbounded region".into()));
     }
     let points = region.loops.iter().enumerate().map(|(i, ring)| ring_points(i, ring));
-    points.collect::<Result<_, _>>().map_err(|e| refused(&e.to_string()))
+    points.collect::<Result<_, _>>().map_err(|e| CgalError::Refused(e.to_string()))
 }

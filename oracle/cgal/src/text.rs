@@ -27,13 +27,21 @@ pub fn read(text: &str) -> Result<Loops, CgalError> {
 }
 
 fn ring(text: &str) -> Result<Vec<Point<Rational>>, CgalError> {
-    let nonsense = |what: &str| CgalError::Nonsense(what.chars().take(60).collect());
-    let number = |word: &str| word.parse::<Rational>().map_err(|_| nonsense(word));
     let numbers = text.split_whitespace().map(number).collect::<Result<Vec<_>, _>>()?;
     if numbers.len() % 2 == 1 {
         return Err(nonsense("a vertex without an ordinate"));
     }
     Ok(numbers.chunks_exact(2).map(|pair| Point { x: pair[0].clone(), y: pair[1].clone() }).collect())
+}
+
+/// The rational number of a word.
+pub fn number(word: &str) -> Result<Rational, CgalError> {
+    word.parse().map_err(|_| nonsense(word))
+}
+
+/// The error for text like this.
+pub fn nonsense(what: &str) -> CgalError {
+    CgalError::Nonsense(what.chars().take(60).collect())
 }
 
 #[cfg(test)]

@@ -9,7 +9,8 @@ use arcsum::region::{Node, Region};
 use arcsum_cgal::child::Child;
 use arcsum_cgal::error::CgalError;
 use arcsum_cgal::method::{Kernel, Method};
-use arcsum_cgal::question::{Question, loops};
+use arcsum_cgal::question::loops;
+use arcsum_cgal::sum::Sum;
 use arcsum_oracle::point::Point;
 use rug::Rational;
 use std::time::Duration;
@@ -57,7 +58,7 @@ impl Cgal {
         if !arcsum_cgal::built_in() {
             return Err(CgalError::NotBuiltIn);
         }
-        let question = Question::Sum(self.method, loops(&plain(a))?, loops(&plain(b))?);
+        let question = Sum { method: self.method, a: loops(&plain(a))?, b: loops(&plain(b))? };
         let answer = self.child().map_err(|e| CgalError::Died(e.to_string()))?.ask(&question)?;
         let region = match self.method.kernel() {
             Kernel::Inexact => rounded(&answer.loops),

@@ -6,6 +6,8 @@ use crate::draw::pair;
 use crate::verdict::{Verdict, compared, region, verdict};
 use arcsum_cgal::error::CgalError;
 use arcsum_cgal::method::Method;
+use arcsum_cgal::question::Question;
+use arcsum_cgal::sum::Sum;
 use arcsum_oracle::region::ExactRegion;
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, TestRunner};
@@ -76,8 +78,7 @@ fn exact_answers_agree_with_both_references() {
 /// The comparison sees a hole that was lost, one that was invented, and says who is right.
 #[test]
 fn planted_errors_are_found() {
-    let rings =
-        |text: &str| -> Loops { arcsum_cgal::answer::Answer::read(&format!("ok 0;{text}")).expect("loops").loops };
+    let rings = |text: &str| -> Loops { Sum::read(&format!("ok 0;{text}")).expect("loops").loops };
     let frame = rings("0 0 9 0 9 9 0 9;3 3 3 7 7 7 7 3;");
     let part = rings("0 0 1 0 0 1;");
     let [a, b] = [&frame, &part].map(region);

@@ -4,7 +4,8 @@ use crate::common::{Ring, ask, child, rectangle, reversed, square};
 use arcsum_cgal::child::Child;
 use arcsum_cgal::error::CgalError;
 use arcsum_cgal::method::Method;
-use arcsum_cgal::question::{Question, loops};
+use arcsum_cgal::question::loops;
+use arcsum_cgal::sum::Sum;
 use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
 
 fn bad() -> Vec<(&'static str, Vec<Ring>)> {
@@ -72,7 +73,7 @@ fn extreme_numbers_are_no_harm() {
     for method in Method::all().filter(|_| arcsum_cgal::built_in()) {
         let inexact = method.to_string().ends_with(":inexact");
         for (s, t) in [(tiny, tiny), (tiny, huge), (huge, huge)] {
-            let answer = child.ask(&Question::Sum(method, triangle(s), triangle(t)));
+            let answer = child.ask(&Sum { method, a: triangle(s), b: triangle(t) });
             // Rounded numbers overflow, and CGAL then says what it likes.
             let found = answer.and_then(|a| a.region()).map(|r| r.vertices());
             // An edge that is long and nearly of a direction with another one has CGAL 5.5.1 give up.

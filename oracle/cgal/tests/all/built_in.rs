@@ -4,6 +4,7 @@ use crate::common::{loops, square};
 use arcsum_cgal::error::CgalError;
 use arcsum_cgal::method::Method;
 use arcsum_cgal::question::Question;
+use arcsum_cgal::sum::Sum;
 
 /// `tests/run` sets the variable unless told to do without.
 #[test]
@@ -15,7 +16,7 @@ fn cgal_is_built_in_where_it_is_required() {
 #[test]
 fn a_missing_cgal_says_so() {
     let method: Method = "reduced:exact".parse().expect("a method");
-    let answer = Question::Sum(method, loops(&[square(1)]), loops(&[square(1)])).ask();
+    let answer = Sum { method, a: loops(&[square(1)]), b: loops(&[square(1)]) }.ask();
     assert_eq!(answer == Err(CgalError::NotBuiltIn), !arcsum_cgal::built_in());
     assert_eq!(arcsum_cgal::version().is_some(), arcsum_cgal::built_in());
 }

@@ -1,10 +1,10 @@
 //! Loops of integers, and questions about them.
 
-use arcsum_cgal::answer::Answer;
 use arcsum_cgal::child::Child;
 use arcsum_cgal::error::CgalError;
 use arcsum_cgal::method::Method;
-use arcsum_cgal::question::Question;
+use arcsum_cgal::sum::Answer;
+use arcsum_cgal::sum::Sum;
 use arcsum_oracle::error::Budget;
 use arcsum_oracle::point::Point;
 use arcsum_oracle::region::ExactRegion;
@@ -56,7 +56,7 @@ pub fn child() -> Child {
 
 /// CGAL's sum, in the child.
 pub fn ask(child: &mut Child, method: Method, a: &[Ring], b: &[Ring]) -> Result<Answer, CgalError> {
-    child.ask(&Question::Sum(method, loops(a), loops(b)))
+    child.ask(&Sum { method, a: loops(a), b: loops(b) })
 }
 
 /// The sum by both references, which must agree.

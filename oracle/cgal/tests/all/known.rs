@@ -1,7 +1,7 @@
 //! Sums that are known beforehand, by every exact method.
 
 use crate::common::{Ring, ask, child, exact_methods, loops, rectangle, region, reversed, square};
-use arcsum_cgal::question::Question;
+use arcsum_cgal::sum::Sum;
 use arcsum_oracle::point::Point;
 use rug::Rational;
 
@@ -48,7 +48,7 @@ fn nothing_is_rounded() {
         loops(&[square(side)]).iter().map(|ring| ring.iter().map(point).collect()).collect()
     };
     for method in exact_methods(false).filter(|_| arcsum_cgal::built_in()) {
-        let answer = child().ask(&Question::Sum(method, scaled(1), scaled(2))).expect("valid input");
+        let answer = child().ask(&Sum { method, a: scaled(1), b: scaled(2) }).expect("valid input");
         let area = answer.region().expect("a region").area();
         assert_eq!(area, Rational::from(huge.square_ref()) * 9, "{method}");
     }
@@ -68,5 +68,5 @@ fn the_inexact_kernel_takes_doubles_only() {
             .map(|(x, y)| Point { x: Rational::from((x, 3)), y: Rational::from(y) })
             .collect(),
     ];
-    assert!(child().ask(&Question::Sum(method, third, loops(&[square(1)]))).is_err());
+    assert!(child().ask(&Sum { method, a: third, b: loops(&[square(1)]) }).is_err());
 }

@@ -5,6 +5,7 @@ mod agreement;
 mod bad_input;
 mod built_in;
 mod common;
+mod curved;
 mod draw;
 mod issues;
 mod known;

@@ -4,7 +4,7 @@ use crate::common::{Loops, references};
 use arcsum_cgal::child::Child;
 use arcsum_cgal::error::CgalError;
 use arcsum_cgal::method::Method;
-use arcsum_cgal::question::Question;
+use arcsum_cgal::sum::Sum;
 use arcsum_oracle::boolean::{Operation, combine};
 use arcsum_oracle::point::Point;
 use arcsum_oracle::region::ExactRegion;
@@ -33,7 +33,7 @@ pub enum Verdict {
 /// # Panics
 /// If the references are wrong or disagree.
 pub fn verdict(child: &mut Child, method: Method, a: &Loops, b: &Loops) -> Verdict {
-    let answer = child.ask(&Question::Sum(method, a.clone(), b.clone())).and_then(|answer| answer.region());
+    let answer = child.ask(&Sum { method, a: a.clone(), b: b.clone() }).and_then(|answer| answer.region());
     match answer {
         Err(error) => Verdict::None(error),
         Ok(claimed) => compared(&claimed, &region(a), &region(b)),

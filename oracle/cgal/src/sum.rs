@@ -1,12 +1,38 @@
-//! CGAL's answer: the loops as it returned them, and the region they describe.
+//! Minkowski sums: the question, and CGAL's answer as the loops it returned and the region they describe.
 
 use crate::error::CgalError;
+use crate::method::Method;
+use crate::question::{Question, result};
 use crate::text::{self, Loops};
 use arcsum_oracle::region::ExactRegion;
 use rug::Rational;
 use std::time::Duration;
 
-/// A result, in input units.
+/// The Minkowski sum of two regions, each an outer loop and its holes in any order, the interior on the left.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Sum {
+    /// How.
+    pub method: Method,
+    /// The first operand.
+    pub a: Loops,
+    /// The second one.
+    pub b: Loops,
+}
+
+impl Question for Sum {
+    type Answer = Answer;
+
+    fn line(&self) -> String {
+        format!("sum|{}|{}|{}", self.method, text::write(&self.a), text::write(&self.b))
+    }
+
+    fn read(text: &str) -> Result<Answer, CgalError> {
+        let (time, loops) = result(text)?;
+        Ok(Answer { loops: text::read(loops)?, time: Duration::from_nanos(time) })
+    }
+}
+
+/// A sum, in input units.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Answer {
     /// The loops as they came: the interior on the left, collinear vertices and antennas kept.
@@ -16,23 +42,6 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// The answer of this text (the C ABI says how it looks).
-    ///
-    /// # Errors
-    /// What the text says, or [`CgalError::Nonsense`].
-    pub fn read(text: &str) -> Result<Self, CgalError> {
-        let nonsense = || CgalError::Nonsense(text.chars().take(60).collect());
-        if let Some(reason) = text.strip_prefix("refused ") {
-            return Err(CgalError::Refused(reason.to_owned()));
-        }
-        if let Some(reason) = text.strip_prefix("failed ") {
-            return Err(CgalError::Failed(reason.to_owned()));
-        }
-        let (time, loops) = text.strip_prefix("ok ").and_then(|rest| rest.split_once(';')).ok_or_else(nonsense)?;
-        let time = time.parse().map(Duration::from_nanos).map_err(|_| nonsense())?;
-        Ok(Self { loops: text::read(loops)?, time })
-    }
-
     /// The region as a regular closed set in normal form: what is wound around once. Antennas are not part of it.
     ///
     /// # Errors
@@ -54,7 +63,7 @@ mod tests {
 
     #[test]
     fn loops_that_overlap_are_no_region() {
-        let region = |loops: String| Answer::read(&format!("ok 5;{loops}")).and_then(|answer| answer.region());
+        let region = |loops: String| Sum::read(&format!("ok 5;{loops}")).and_then(|answer| answer.region());
         let square = "0 0 4 0 4 4 0 4;";
         assert_eq!(region(square.into()).map(|r| r.area()), Ok(Rational::from(16)));
         assert_eq!(region(format!("{square}1 1 1 2 2 2 2 1;")).map(|r| r.area()), Ok(Rational::from(15)));
@@ -65,7 +74,7 @@ mod tests {
 
     #[test]
     fn antennas_are_not_part_of_the_region() {
-        let answer = Answer::read("ok 0;0 0 4 0 4 4 9 4 4 4 0 4;").expect("a square with an antenna");
+        let answer = Sum::read("ok 0;0 0 4 0 4 4 9 4 4 4 0 4;").expect("a square with an antenna");
         assert_eq!(answer.loops[0].len(), 6);
         assert_eq!(answer.region().map(|r| (r.vertices(), r.area())), Ok((4, Rational::from(16))));
     }
