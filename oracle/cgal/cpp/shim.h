@@ -6,7 +6,7 @@
 //     ok NANOSECONDS; LOOPS    the result; the time is that of the operation with an exact result forced, without reading,
 //                              validating and writing
 //     refused REASON           the input is none that CGAL promises an answer for; CGAL was not asked
-//     failed REASON            CGAL gave up: an assertion or another exception
+//     failed REASON            CGAL gave up: an exception, or an assertion where those are compiled in
 //
 // The shim never throws, and never prints. What it cannot prevent is a process that dies inside CGAL.
 #pragma once

@@ -11,7 +11,7 @@ pub enum CgalError {
     /// The input is none that CGAL promises an answer for, so it was not asked.
     #[error("CGAL is not asked: {0}")]
     Refused(String),
-    /// An assertion or another exception in CGAL.
+    /// An exception in CGAL.
     #[error("CGAL gave up: {0}")]
     Failed(String),
     /// The process that asked CGAL died.

@@ -74,10 +74,9 @@ fn extreme_numbers_are_no_harm() {
         let inexact = method.to_string().ends_with(":inexact");
         for (s, t) in [(tiny, tiny), (tiny, huge), (huge, huge)] {
             let answer = child.ask(&Sum { method, a: triangle(s), b: triangle(t) });
-            // Rounded numbers overflow, and CGAL then says what it likes.
             let found = answer.and_then(|a| a.region()).map(|r| r.vertices());
-            // An edge that is long and nearly of a direction with another one has CGAL 5.5.1 give up.
-            let gave_up = matches!(found, Err(CgalError::Failed(_)));
+            // With the smallest and the largest double together CGAL 5.5.1 ends its process.
+            let gave_up = matches!(found, Err(CgalError::Failed(_) | CgalError::Died(_)));
             // Rounded numbers overflow, and CGAL then says what it likes.
             assert!(inexact || gave_up || found == Ok(3), "{method} {s:e} {t:e}: {found:?}");
         }

@@ -60,3 +60,16 @@ fn issue_5839_removing_small_holes_breaks_the_list() {
         assert_eq!(harmed, is_debian_12(), "{method}: {verdict:?}");
     }
 }
+
+/// An error that the random comparison found, made small by hand: CGAL's partition into the fewest convex pieces leaves out
+/// part of a polygon of eight vertices, in which vertices of different edges are collinear. In a debug build an assertion
+/// stops it.
+#[test]
+fn the_optimal_partition_leaves_out_a_part() {
+    let hook: [Ring; 1] = [vec![(0, 0), (1, 0), (1, 1), (2, 1), (2, 3), (1, 3), (1, 2), (0, 2)]];
+    let method: Method = "optimal:exact".parse().expect("a method");
+    if is_debian_12() {
+        let verdict = verdict(&mut child(), method, &loops(&hook), &loops(&[square(1)]));
+        assert_eq!(verdict, Verdict::Wrong { belongs: true });
+    }
+}
