@@ -9,4 +9,5 @@ mod curved;
 mod draw;
 mod issues;
 mod known;
+mod silence;
 mod verdict;
