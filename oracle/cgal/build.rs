@@ -53,8 +53,8 @@ mod shim {
         // Beyond -O1 it compiles for twice as long and runs no faster.
         build.cpp(true).std("c++17").opt_level(1).debug(false).warnings(false);
         build.define("CGAL_USE_GMP", "1").define("CGAL_USE_MPFR", "1");
-        // As in a release of its users: its assertions cost several times as much, and the inexact kernel fails many of them on
-        // results that are good.
+        // As in a release of its users: its assertions cost several times as much, and the inexact kernel fails many of
+        // them on results that are good.
         build.define("CGAL_NDEBUG", None);
         build
     }

@@ -93,8 +93,8 @@ impl Curved {
     }
 }
 
-/// Twice the signed area between an edge and the origin, halved: the triangle of its chord and the cap beyond it. An edge
-/// monotone in x turns by half a turn at most.
+/// The signed area between an edge and the origin: the triangle of its chord and the cap beyond it. An edge monotone in x
+/// turns by half a turn at most.
 fn under(edge: &Edge, next: &Edge) -> f64 {
     let [[x0, y0], [x1, y1]] = [edge, next].map(|e| e.tail.each_ref().map(Coordinate::to_f64));
     let triangle = 0.5 * (x0 * y1 - x1 * y0);
