@@ -11,6 +11,7 @@ pub mod report;
 pub mod sum;
 pub mod verify;
 
+use crate::engine::cgal::COMMAND;
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -46,6 +47,9 @@ enum Command {
     /// Measure cases for a parent process.
     #[command(hide = true)]
     Worker,
+    /// Answer questions to CGAL for a parent process.
+    #[command(hide = true, name = COMMAND)]
+    Cgal,
 }
 
 /// Why a command failed, in one sentence.
@@ -109,6 +113,7 @@ pub fn main() -> ExitCode {
         Command::Attack(args) => attack::attack(&args),
         Command::Bench(args) => bench::bench(&args),
         Command::Iterate(args) => iterate::iterate(&args),
+        Command::Cgal => arcsum_cgal::child::serve().map(|()| 0).map_err(Failure::other),
         Command::Worker => crate::worker::child::serve().map(|()| 0).map_err(Failure::other),
     };
     match done {

@@ -1,6 +1,7 @@
 //! Engines under test: the trait, its answers, and the engines by name (section 5 of the design).
 
 pub mod cells;
+pub mod cgal;
 pub mod command;
 pub mod corners;
 pub mod own;
@@ -19,29 +20,32 @@ pub struct Abilities {
     pub holes: bool,
     /// Unbounded regions.
     pub unbounded: bool,
+    /// Regions of several pieces.
+    pub pieces: bool,
 }
 
 impl Abilities {
     /// Everything a case can ask for.
-    pub const ALL: Self = Self { arcs: true, holes: true, unbounded: true };
+    pub const ALL: Self = Self { arcs: true, holes: true, unbounded: true, pieces: true };
 
     /// Whether this suffices for the sum of the two.
     #[must_use]
     pub fn cover(self, a: &Region, b: &Region) -> bool {
-        let polygonal = a.is_polygonal() && b.is_polygonal();
-        let bounded = !a.unbounded && !b.unbounded;
-        let whole = [a, b].iter().all(|r| !has_holes(r));
-        (self.arcs || polygonal) && (self.unbounded || bounded) && (self.holes || whole)
+        let both = |able: fn(&Region) -> bool| able(a) && able(b);
+        (self.arcs || both(Region::is_polygonal))
+            && (self.unbounded || both(|r| !r.unbounded))
+            && (self.holes || both(|r| holes(r) == 0))
+            && (self.pieces || both(|r| r.loops.len() - holes(r) <= 1))
     }
 }
 
-/// Whether some loop runs clockwise, judged by the area under its chords.
-fn has_holes(region: &Region) -> bool {
+/// How many loops run clockwise, judged by the area under their chords.
+fn holes(region: &Region) -> usize {
     let doubled = |l: &Vec<arcsum::region::Node>| -> f64 {
         (0..l.len()).map(|i| (l[i], l[(i + 1) % l.len()])).map(|(p, q)| p.x * q.y - p.y * q.x).sum()
     };
     // A loop of two arcs has no area under its chords; it counts as an outer loop.
-    region.loops.iter().any(|l| l.len() > 2 && doubled(l) < 0.0)
+    region.loops.iter().filter(|l| l.len() > 2 && doubled(l) < 0.0).count()
 }
 
 /// An engine's answer to a case.

@@ -1,5 +1,6 @@
 //! The engines by name.
 
+use super::cgal::Cgal;
 use super::command::Program;
 use super::own::Own;
 use super::{Abilities, Engine};
@@ -18,8 +19,9 @@ pub const CONVEX: &[&str] = &["convex"];
 
 /// A name that is no engine's.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("no engine is called {0}; there are {known}, the first two also with -without-{steps}, and cmd:PROGRAM",
-    known = [BUILT_IN, NAIVE, HEURISTIC, CONVEX].concat().join(", "), steps = arcsum::robustness::Step::ALL.map(|(_, name)| name).join("|"))]
+#[error("no engine is called {0}; there are {known}, the first two also with -without-{steps}, cmd:PROGRAM, and {cgal}",
+    known = [BUILT_IN, NAIVE, HEURISTIC, CONVEX].concat().join(", "), steps = arcsum::robustness::Step::ALL.map(|(_, name)| name).join("|"),
+    cgal = Cgal::names().join(", "))]
 pub struct NoSuchEngine(pub String);
 
 /// The engine of this name.
@@ -29,6 +31,9 @@ pub struct NoSuchEngine(pub String);
 pub fn engine(name: &str) -> Result<Box<dyn Engine>, NoSuchEngine> {
     if let Some(own) = Own::named(name) {
         return Ok(Box::new(own));
+    }
+    if let Some(cgal) = Cgal::named(name) {
+        return Ok(Box::new(cgal));
     }
     if name.strip_prefix("cmd:").is_some_and(|p| !p.trim().is_empty()) {
         return Ok(Box::new(Program::new(name)));
