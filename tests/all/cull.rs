@@ -120,7 +120,7 @@ fn summed(a: &Region, b: &Region, convolution: Convolution, culling: bool) -> Su
 fn sums_stay_right() {
     for seed in 1..3 {
         let case = &tangled(seed)[0];
-        let container = case.a.loops.iter().map(container).collect();
+        let container = case.a.loops.iter().map(|corners| container(corners)).collect();
         let complement = Region { loops: container, unbounded: true, ..Region::default() };
         for a in [&case.a, &complement] {
             let exact = polygon::sum(&plain(a), &plain(&case.b)).expect("within budget");
@@ -137,7 +137,7 @@ fn sums_stay_right() {
 }
 
 /// A loop run backwards and of twice the size.
-fn container(corners: &Vec<Node>) -> Vec<Node> {
+fn container(corners: &[Node]) -> Vec<Node> {
     corners.iter().rev().map(|node| Node { x: 2.0 * node.x, y: 2.0 * node.y, ..*node }).collect()
 }
 
