@@ -8,6 +8,9 @@ use super::{Abilities, Engine};
 /// The built-in engines that take all robustness steps.
 pub const BUILT_IN: &[&str] = &["kinetic", "monotonic"];
 
+/// The same, what lies deep inside the sum culled before it is arranged.
+pub const CULLED: &[&str] = &["kinetic-culled", "monotonic-culled"];
+
 /// The baselines without any (MS 8.3).
 pub const NAIVE: &[&str] = &["naive-kinetic", "naive-monotonic"];
 
@@ -20,7 +23,7 @@ pub const CONVEX: &[&str] = &["convex"];
 /// A name that is no engine's.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("no engine is called {0}; there are {known}, the first two also with -without-{steps}, cmd:PROGRAM, and {cgal}",
-    known = [BUILT_IN, NAIVE, HEURISTIC, CONVEX].concat().join(", "), steps = arcsum::robustness::Step::ALL.map(|(_, name)| name).join("|"),
+    known = [BUILT_IN, CULLED, NAIVE, HEURISTIC, CONVEX].concat().join(", "), steps = arcsum::robustness::Step::ALL.map(|(_, name)| name).join("|"),
     cgal = Cgal::names().join(", "))]
 pub struct NoSuchEngine(pub String);
 
@@ -69,9 +72,8 @@ mod tests {
     #[test]
     fn engines_answer_to_their_names() {
         let steps = Step::ALL.map(|(_, step)| format!("monotonic-without-{step}"));
-        for name in
-            BUILT_IN.iter().chain(NAIVE).chain(HEURISTIC).chain(CONVEX).map(|name| (*name).to_owned()).chain(steps)
-        {
+        let names = [BUILT_IN, CULLED, NAIVE, HEURISTIC, CONVEX].concat();
+        for name in names.into_iter().map(str::to_owned).chain(steps) {
             assert_eq!(facts(&name).unwrap().name, name);
         }
     }
@@ -85,6 +87,8 @@ mod tests {
             "naive-kinetic-heuristic",
             "naive-kinetic-without-gather",
             "kinetic-without-",
+            "naive-kinetic-culled",
+            "convex-culled",
             "kinetic-without-x",
             "cmd:",
             "naive-convex",
