@@ -11,8 +11,8 @@ use arcsum::smooth::Smooth;
 use arcsum::sum::{Convolution, Options, Sum, sum};
 use arcsum::sum3::Rounding;
 use arcsum_oracle::measure::hausdorff;
-use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
 use arcsum_oracle::polygon;
+use arcsum_reports::bridge::{plain, unit};
 use arcsum_reports::cases::Case;
 use arcsum_reports::cases::family::Family;
 use arcsum_tests::random::Random;
@@ -103,14 +103,6 @@ fn a_wrong_rim_is_noticed() {
     assert!(wrong(&whole, &open, 1).0 > 0);
 }
 
-fn plain(region: &Region) -> PlainRegion {
-    let corner = |n: &Node| Corner { x: n.x, y: n.y, bend: Bend::Line };
-    PlainRegion {
-        loops: region.loops.iter().map(|l| l.iter().map(corner).collect()).collect(),
-        unbounded: region.unbounded,
-    }
-}
-
 fn summed(a: &Region, b: &Region, convolution: Convolution, culling: bool) -> Sum {
     sum(a, b, &Options { convolution, culling, ..Options::default() }).expect("valid")
 }
@@ -126,8 +118,7 @@ fn sums_stay_right() {
             let exact = polygon::sum(&plain(a), &plain(&case.b)).expect("within budget");
             for convolution in [Convolution::Kinetic, Convolution::Monotonic] {
                 let [whole, culled] = [false, true].map(|culling| summed(a, &case.b, convolution, culling));
-                let unit = 2_f64.powi(Frame::pair(a, &case.b).0.exp);
-                let bracket = hausdorff(&plain(&culled.region), &exact, unit).expect("measurable");
+                let bracket = hausdorff(&plain(&culled.region), &exact, unit(a, &case.b)).expect("measurable");
                 assert!(bracket.hi <= 20.0 * EPS, "{bracket:?}");
                 let vertices = [&whole, &culled].map(|sum| sum.arrangement.audit.vertices);
                 assert!(vertices[1] < vertices[0] && culled.region.unbounded == a.unbounded, "{vertices:?}");

@@ -2,26 +2,14 @@
 //! is the exact sum itself.
 
 use arcsum::arrangement::cross::EPS;
-use arcsum::frame::Frame;
-use arcsum::region::{Curve, Node, Region};
+use arcsum::region::{Node, Region};
 use arcsum::sum::{Convolution, Options, sum};
 use arcsum_oracle::measure::{Bracket, hausdorff};
-use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
 use arcsum_oracle::polygon;
+use arcsum_reports::bridge::{plain, unit};
 use arcsum_tests::cases;
 use arcsum_tests::shapes::{Lattice, bars, holed, nudged_integers, simple};
 use proptest::prelude::*;
-
-fn plain(region: &Region) -> PlainRegion {
-    let corner = |n: &Node| {
-        assert_eq!(n.curve, Curve::Line);
-        Corner { x: n.x, y: n.y, bend: Bend::Line }
-    };
-    PlainRegion {
-        loops: region.loops.iter().map(|l| l.iter().map(corner).collect()).collect(),
-        unbounded: region.unbounded,
-    }
-}
 
 fn polygons(lattice: Lattice) -> impl Strategy<Value = Region> {
     prop_oneof![simple(10, 0.0, lattice), holed(10, 0.0, lattice)]
@@ -32,7 +20,7 @@ fn measured(a: &Region, b: &Region) -> ([(Region, Bracket); 2], usize) {
     let exact = polygon::sum(&plain(a), &plain(b)).expect("within budget");
     let measured = [Convolution::Kinetic, Convolution::Monotonic].map(|convolution| {
         let result = sum(a, b, &Options { convolution, ..Options::default() }).expect("valid").region;
-        let bracket = hausdorff(&plain(&result), &exact, 2_f64.powi(Frame::pair(a, b).0.exp)).expect("measurable");
+        let bracket = hausdorff(&plain(&result), &exact, unit(a, b)).expect("measurable");
         (result, bracket)
     });
     (measured, exact.loops().len())
