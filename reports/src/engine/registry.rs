@@ -25,8 +25,13 @@ pub const CONVEX: &[&str] = &["convex"];
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("no engine is called {0}; there are {known}, the first two also with -without-{steps}, cmd:PROGRAM, {cgal}, and, with the cargo features {features}, those of others{peers}",
     known = [BUILT_IN, CULLED, NAIVE, HEURISTIC, CONVEX].concat().join(", "), steps = arcsum::robustness::Step::ALL.map(|(_, name)| name).join("|"),
-    cgal = Cgal::names().join(", "), features = FEATURES.join(", "), peers = Peer::names().iter().map(|name| format!(", {name}")).collect::<String>())]
+    cgal = Cgal::names().join(", "), features = FEATURES.join(", "), peers = in_brackets(&Peer::names()))]
 pub struct NoSuchEngine(pub String);
+
+/// Names in brackets after a space, or nothing.
+fn in_brackets(names: &[&str]) -> String {
+    if names.is_empty() { String::new() } else { format!(" ({})", names.join(", ")) }
+}
 
 /// The engine of this name.
 ///

@@ -2,7 +2,7 @@
 //!
 //! Its own sum is that of the two boundaries: it has a hole where one operand fits inside the other.
 
-use super::{Abilities, EngineError, Peer, Ring, UNITES, Way};
+use super::{Abilities, EngineError, Outcome, Peer, Ring, UNITES, Way};
 use clipper2::{ClipperError, FillRule, One, Path, Paths, Point, minkowski_sum, union};
 
 /// The versions of the crate and of what it binds.
@@ -24,12 +24,12 @@ pub const MINKOWSKI: Peer = Peer {
     way: Way::Minkowski(sum),
 };
 
-fn unite(rings: &[Ring]) -> Result<Vec<Ring>, EngineError> {
+fn unite(rings: &[Ring]) -> Outcome {
     let failed = |error: ClipperError| EngineError::Invalid(error.to_string());
     union::<One>(given(rings), Paths::new(Vec::new()), FillRule::NonZero).map(taken).map_err(failed)
 }
 
-fn sum(a: &[Ring], b: &[Ring]) -> Result<Vec<Ring>, EngineError> {
+fn sum(a: &[Ring], b: &[Ring]) -> Outcome {
     let [pattern] = a else { return Err(EngineError::Invalid("the first operand is not one path".into())) };
     Ok(taken(minkowski_sum::<One>(path(pattern), given(b), true)))
 }

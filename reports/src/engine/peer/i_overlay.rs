@@ -1,6 +1,6 @@
 //! `i_overlay` and `i_overlay:i64`: the union of iOverlay in its two widths of integers.
 
-use super::{EngineError, Peer, Ring, UNITES, Way};
+use super::{Outcome, Peer, Ring, UNITES, Way};
 use i_overlay::core::fill_rule::FillRule;
 use i_overlay::core::integer::OverlayInt;
 use i_overlay::core::overlay::Overlay;
@@ -18,16 +18,16 @@ pub const NARROW: Peer =
 pub const WIDE: Peer =
     Peer { name: "i_overlay:i64", version: VERSION, bits: 60, abilities: UNITES, way: Way::Union(unite_wide) };
 
-fn unite_narrow(rings: &[Ring]) -> Result<Vec<Ring>, EngineError> {
+fn unite_narrow(rings: &[Ring]) -> Outcome {
     unite(rings, |x| x as i32, i64::from)
 }
 
-fn unite_wide(rings: &[Ring]) -> Result<Vec<Ring>, EngineError> {
+fn unite_wide(rings: &[Ring]) -> Outcome {
     unite(rings, |x| x, |x| x)
 }
 
 /// The union, between two ways to change integers.
-fn unite<I: OverlayInt>(rings: &[Ring], to: fn(i64) -> I, from: fn(I) -> i64) -> Result<Vec<Ring>, EngineError> {
+fn unite<I: OverlayInt>(rings: &[Ring], to: fn(i64) -> I, from: fn(I) -> i64) -> Outcome {
     let given = |ring: &Ring| ring.iter().map(|&[x, y]| IntPoint { x: to(x), y: to(y) }).collect();
     let contours: Vec<Vec<IntPoint<I>>> = rings.iter().map(given).collect();
     let shapes = Overlay::from_subj(&contours).overlay(OverlayRule::Subject, FillRule::NonZero);

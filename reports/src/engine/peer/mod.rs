@@ -24,13 +24,16 @@ use std::time::Instant;
 /// The features that bring engines of others.
 pub const FEATURES: &[&str] = &["i_overlay", "clipper2", "polyclip"];
 
-/// What an engine is given, and what it makes of it: rings around its result, the interior on the left.
+/// Rings around a result, the interior on the left.
+type Outcome = Result<Vec<Ring>, EngineError>;
+
+/// What an engine is given, and what makes a sum of it.
 #[derive(Clone, Copy, Debug)]
 enum Way {
     /// The union of closed cycles.
-    Union(fn(&[Ring]) -> Result<Vec<Ring>, EngineError>),
+    Union(fn(&[Ring]) -> Outcome),
     /// The sum of two regions, each by its loops.
-    Minkowski(fn(&[Ring], &[Ring]) -> Result<Vec<Ring>, EngineError>),
+    Minkowski(fn(&[Ring], &[Ring]) -> Outcome),
 }
 
 /// An engine of somebody else.

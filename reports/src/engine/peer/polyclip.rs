@@ -1,6 +1,6 @@
 //! `polyclip` and `polyclip:minkowski`: the union and the sum of polyclip, which snap to the grid.
 
-use super::{Abilities, EngineError, Peer, Ring, UNITES, Way};
+use super::{Abilities, EngineError, Outcome, Peer, Ring, UNITES, Way};
 use polyclip::{FillRule, Point, Polygon, PolygonSet, minkowski_sum, union_all};
 
 /// The version of the crate.
@@ -22,12 +22,12 @@ pub const MINKOWSKI: Peer = Peer {
     way: Way::Minkowski(sum),
 };
 
-fn unite(rings: &[Ring]) -> Result<Vec<Ring>, EngineError> {
+fn unite(rings: &[Ring]) -> Outcome {
     let rings: Vec<polyclip::Ring> = rings.iter().map(given).collect();
     union_all(&rings, FillRule::NonZero).map(taken).map_err(failed)
 }
 
-fn sum(a: &[Ring], b: &[Ring]) -> Result<Vec<Ring>, EngineError> {
+fn sum(a: &[Ring], b: &[Ring]) -> Outcome {
     minkowski_sum(&polygon(a)?, &polygon(b)?).map(taken).map_err(failed)
 }
 

@@ -66,7 +66,7 @@ fn a_sum_of_boundaries_is_found_out() {
     assert!(judgement.mu_lo > Some(0.1) && judgement.failed_checks.contains(&"loops".to_owned()), "{judgement:?}");
 }
 
-fn planted(unite: fn(&[Ring]) -> Result<Vec<Ring>, EngineError>) -> Peer {
+fn planted(unite: fn(&[Ring]) -> Outcome) -> Peer {
     let abilities = Abilities { arcs: false, unbounded: false, ..Abilities::ALL };
     Peer { name: "planted", version: "0", bits: 20, abilities, way: Way::Union(unite) }
 }
