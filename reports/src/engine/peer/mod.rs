@@ -17,19 +17,20 @@ mod tests;
 
 use super::{Abilities, Answer, Engine, EngineError, Times};
 use arcsum::region::Region;
-use grid::{Grid, Ring};
+use grid::Grid;
+pub use grid::Ring;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
 /// The features that bring engines of others.
 pub const FEATURES: &[&str] = &["i_overlay", "clipper2", "polyclip"];
 
-/// Rings around a result, the interior on the left.
-type Outcome = Result<Vec<Ring>, EngineError>;
+/// Rings around a result, the interior on the left; or why there are none.
+pub type Outcome = Result<Vec<Ring>, EngineError>;
 
 /// What an engine is given, and what makes a sum of it.
 #[derive(Clone, Copy, Debug)]
-enum Way {
+pub enum Way {
     /// The union of closed cycles.
     Union(fn(&[Ring]) -> Outcome),
     /// The sum of two regions, each by its loops.
@@ -39,12 +40,16 @@ enum Way {
 /// An engine of somebody else.
 #[derive(Clone, Copy, Debug)]
 pub struct Peer {
-    name: &'static str,
-    version: &'static str,
-    /// The unit box is so many bits wide.
-    bits: i32,
-    abilities: Abilities,
-    way: Way,
+    /// Its name on the command line.
+    pub name: &'static str,
+    /// Its version.
+    pub version: &'static str,
+    /// The unit box is so many bits wide; integers need two bits more, and a sign.
+    pub bits: i32,
+    /// What it can do.
+    pub abilities: Abilities,
+    /// How it sums.
+    pub way: Way,
 }
 
 /// Those that are built in.
@@ -64,8 +69,7 @@ const PEERS: &[Peer] = &[
 ];
 
 /// What the unions can do: all that the convolution of bounded polygons can.
-#[cfg(any(feature = "i_overlay", feature = "clipper2", feature = "polyclip"))]
-const UNITES: Abilities = Abilities { arcs: false, unbounded: false, ..Abilities::ALL };
+pub const UNITES: Abilities = Abilities { arcs: false, unbounded: false, ..Abilities::ALL };
 
 impl Peer {
     /// The engine of this name, if it is one of them and built in.

@@ -67,8 +67,7 @@ fn a_sum_of_boundaries_is_found_out() {
 }
 
 fn planted(unite: fn(&[Ring]) -> Outcome) -> Peer {
-    let abilities = Abilities { arcs: false, unbounded: false, ..Abilities::ALL };
-    Peer { name: "planted", version: "0", bits: 20, abilities, way: Way::Union(unite) }
+    Peer { name: "planted", version: "0", bits: 20, abilities: UNITES, way: Way::Union(unite) }
 }
 
 #[test]
