@@ -7,6 +7,8 @@
 
 #[cfg(feature = "clipper2")]
 mod clipper2;
+#[cfg(all(test, any(feature = "i_overlay", feature = "clipper2", feature = "polyclip")))]
+mod exact;
 mod grid;
 #[cfg(feature = "i_overlay")]
 mod i_overlay;

@@ -1,69 +1,16 @@
-//! The peers against the exact sum, on the grid and where they fail.
+//! Cycles of the convolution, and peers that fail.
 
 use super::*;
-use crate::cases::Case;
-use crate::cases::shape::{backwards, lines, polygon, rectangle, region};
-use crate::judge::{Judgement, judge};
-use proptest::prelude::*;
+use crate::cases::fork::fork;
+use crate::cases::shape::{disc, polygon, rectangle};
 
 /// A polygon like the letter L: `long` both ways, its arms `wide`.
-fn letter(long: f64, wide: f64) -> Region {
+pub fn letter(long: f64, wide: f64) -> Region {
     polygon(&[[0.0, 0.0], [long, 0.0], [long, wide], [wide, wide], [wide, long], [0.0, long]])
 }
 
-fn square(side: f64) -> Region {
+pub fn square(side: f64) -> Region {
     polygon(&rectangle([0.0, 0.0], [side, side]))
-}
-
-fn judged(peer: &mut Peer, a: &Region, b: &Region) -> Judgement {
-    let case =
-        Case { name: "case".into(), family: "test".into(), a: a.clone(), b: b.clone(), seed: None, golden: None };
-    let answer = peer.sum(a, b).unwrap();
-    judge(&case, peer.name(), &answer)
-}
-
-/// Whether nothing at all is wrong.
-fn exact(judgement: &Judgement) -> bool {
-    judgement.mu_hi == Some(0.0) && judgement.failed_checks.is_empty()
-}
-
-/// The engines that unite, and shipped sums that hold what they promise.
-fn truthful() -> impl Iterator<Item = Peer> {
-    PEERS.iter().copied().filter(|peer| peer.name != "clipper2:minkowski")
-}
-
-#[test]
-fn sums_on_the_grid_are_exact() {
-    let frame = region(vec![lines(&rectangle([0.0, 0.0], [9.0, 9.0])), backwards(&rectangle([2.0, 2.0], [7.0, 7.0]))]);
-    for (a, b) in [(square(2.0), square(3.0)), (letter(6.0, 2.0), square(1.0)), (frame, letter(3.0, 1.0))] {
-        for mut peer in truthful() {
-            let judgement = judged(&mut peer, &a, &b);
-            assert!(exact(&judgement), "{}: {judgement:?}", peer.name);
-        }
-    }
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(32))]
-
-    // All corners and crossings lie on the grid, so there is nothing to round.
-    #[test]
-    fn letters_sum_exactly(long in 2..40_u8, wide in 1..40_u8, other in 2..40_u8, thin in 1..40_u8) {
-        let of = |long: u8, wide: u8| letter(f64::from(long), f64::from(wide.min(long - 1)));
-        for mut peer in truthful() {
-            let judgement = judged(&mut peer, &of(long, wide), &of(other, thin).negated());
-            prop_assert!(exact(&judgement), "{}: {judgement:?}", peer.name);
-        }
-    }
-}
-
-#[test]
-#[cfg(feature = "clipper2")]
-fn a_sum_of_boundaries_is_found_out() {
-    let mut peer = Peer::named("clipper2:minkowski").unwrap();
-    assert!(exact(&judged(&mut peer, &letter(6.0, 2.0), &square(3.0))));
-    let judgement = judged(&mut peer, &square(6.0), &square(1.0));
-    assert!(judgement.mu_lo > Some(0.1) && judgement.failed_checks.contains(&"loops".to_owned()), "{judgement:?}");
 }
 
 fn planted(unite: fn(&[Ring]) -> Outcome) -> Peer {
@@ -80,9 +27,7 @@ fn a_union_that_fails_is_an_error() {
 
 #[test]
 fn what_no_union_takes_is_refused() {
-    let disc = crate::cases::shape::disc(1.0);
-    let plane = Region::plane();
-    for bad in [&disc, &plane] {
+    for bad in [&disc(1.0), &Region::plane()] {
         let mut peer = planted(|rings| Ok(rings.to_vec()));
         assert!(matches!(peer.sum(&square(1.0), bad), Err(EngineError::Invalid(_))));
     }
@@ -90,7 +35,7 @@ fn what_no_union_takes_is_refused() {
 
 #[test]
 fn cycles_are_the_whole_convolution() {
-    let (a, b) = crate::cases::fork::fork(3);
+    let (a, b) = fork(3);
     let kinetic = arcsum::sum::Options { convolution: arcsum::sum::Convolution::Kinetic, ..Default::default() };
     let pieces = arcsum::sum::sum(&a, &b, &kinetic).unwrap().convolution.pieces.len();
     let grid = Grid::new(&a, &b, 40);
@@ -99,15 +44,4 @@ fn cycles_are_the_whole_convolution() {
     let doubled = |[p, q]: [[i64; 2]; 2]| i128::from(p[0]) * i128::from(q[1]) - i128::from(p[1]) * i128::from(q[0]);
     let area = |ring: &Ring| (0..ring.len()).map(|i| doubled([ring[i], ring[(i + 1) % ring.len()]])).sum::<i128>();
     assert!(cycles.iter().map(area).sum::<i128>() > 0);
-}
-
-#[test]
-fn versions_are_those_that_are_pinned() {
-    let manifest = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../Cargo.toml")).unwrap();
-    for peer in PEERS {
-        let (crate_name, version) = (peer.name.split(':').next().unwrap(), peer.version.split(' ').next().unwrap());
-        let line = manifest.lines().find(|line| line.starts_with(&format!("{crate_name} = "))).unwrap();
-        assert!(line.contains(&format!("\"={version}\"")), "{line}");
-        assert!(FEATURES.contains(&crate_name));
-    }
 }
