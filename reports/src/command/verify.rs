@@ -19,7 +19,7 @@ pub struct VerifyArgs {
     /// Files, folders, families (`fork`), or families of one size (`fork_5`); all families without any.
     cases: Vec<String>,
     /// An engine: `monotonic`, `kinetic`, `kinetic-heuristic`, `convex`, `naive-kinetic`, `kinetic-without-STEP`,
-    /// `cgal:STRATEGY:KERNEL`, or `cmd:PROGRAM`; can be given again.
+    /// `cgal:STRATEGY:KERNEL`, `cmd:PROGRAM`, or one of others where built in; can be given again.
     #[arg(long = "engine", default_value = "monotonic")]
     engines: Vec<String>,
     /// Leave out cases whose operands have more segments together.

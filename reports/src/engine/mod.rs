@@ -5,6 +5,7 @@ pub mod cgal;
 pub mod command;
 pub mod corners;
 pub mod own;
+pub mod peer;
 pub mod registry;
 
 use arcsum::region::Region;

@@ -3,6 +3,7 @@
 use super::cgal::Cgal;
 use super::command::Program;
 use super::own::Own;
+use super::peer::{FEATURES, Peer};
 use super::{Abilities, Engine};
 
 /// The built-in engines that take all robustness steps.
@@ -22,10 +23,15 @@ pub const CONVEX: &[&str] = &["convex"];
 
 /// A name that is no engine's.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("no engine is called {0}; there are {known}, the first two also with -without-{steps}, cmd:PROGRAM, and {cgal}",
+#[error("no engine is called {0}; there are {known}, the first two also with -without-{steps}, cmd:PROGRAM, {cgal}, and, with the cargo features {features}, those of others{peers}",
     known = [BUILT_IN, CULLED, NAIVE, HEURISTIC, CONVEX].concat().join(", "), steps = arcsum::robustness::Step::ALL.map(|(_, name)| name).join("|"),
-    cgal = Cgal::names().join(", "))]
+    cgal = Cgal::names().join(", "), features = FEATURES.join(", "), peers = in_brackets(&Peer::names()))]
 pub struct NoSuchEngine(pub String);
+
+/// Names in brackets after a space, or nothing.
+fn in_brackets(names: &[&str]) -> String {
+    if names.is_empty() { String::new() } else { format!(" ({})", names.join(", ")) }
+}
 
 /// The engine of this name.
 ///
@@ -37,6 +43,9 @@ pub fn engine(name: &str) -> Result<Box<dyn Engine>, NoSuchEngine> {
     }
     if let Some(cgal) = Cgal::named(name) {
         return Ok(Box::new(cgal));
+    }
+    if let Some(peer) = Peer::named(name) {
+        return Ok(Box::new(peer));
     }
     if name.strip_prefix("cmd:").is_some_and(|p| !p.trim().is_empty()) {
         return Ok(Box::new(Program::new(name)));
@@ -73,7 +82,7 @@ mod tests {
     fn engines_answer_to_their_names() {
         let steps = Step::ALL.map(|(_, step)| format!("monotonic-without-{step}"));
         let names = [BUILT_IN, CULLED, NAIVE, HEURISTIC, CONVEX].concat();
-        for name in names.into_iter().map(str::to_owned).chain(steps) {
+        for name in names.into_iter().chain(Peer::names()).map(str::to_owned).chain(steps) {
             assert_eq!(facts(&name).unwrap().name, name);
         }
     }
