@@ -24,6 +24,7 @@ pub mod iterate;
 mod joint;
 mod nesting;
 pub mod overlap;
+mod part;
 pub mod piece;
 pub mod region;
 pub mod robustness;

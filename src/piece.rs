@@ -42,6 +42,32 @@ pub struct Piece {
     pub weight: i32,
 }
 
+impl Piece {
+    /// A line with this normal.
+    #[must_use]
+    pub fn line(tail: u32, head: u32, normal: Ang, source: Source) -> Self {
+        Self {
+            tail,
+            head,
+            a: normal,
+            b: normal,
+            whole: [tail, head],
+            delta: 0.0,
+            r: 0.0,
+            source,
+            operand: 0,
+            weight: 1,
+        }
+    }
+
+    /// The line between two vertices. Where they have equal coordinates the arrangement merges them, and any normal will do.
+    #[must_use]
+    pub fn between(points: &[DVec2], tail: u32, head: u32, source: Source) -> Self {
+        let normal = Ang::of_line(points[tail as usize], points[head as usize]).unwrap_or(Ang::RIGHT);
+        Self::line(tail, head, normal, source)
+    }
+}
+
 /// A set of pieces that together form closed loops: every vertex has as many pieces in as out, per operand. Those of a convex
 /// convolution do not.
 #[derive(Clone, Debug, Default)]

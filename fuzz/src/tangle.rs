@@ -17,18 +17,7 @@ pub fn tangle(loops: &[Vec<DVec2>]) -> Pieces {
             let Some(normal) = Ang::of_line(p, q) else { continue };
             let source = Source { first: pieces.pieces.len() as u32, second: 0 };
             let (tail, head) = (first + i as u32, first + ((i + 1) % n) as u32);
-            pieces.pieces.push(Piece {
-                tail,
-                head,
-                a: normal,
-                b: normal,
-                whole: [tail, head],
-                delta: 0.0,
-                r: 0.0,
-                source,
-                operand: 0,
-                weight: 1,
-            });
+            pieces.pieces.push(Piece::line(tail, head, normal, source));
         }
     }
     pieces

@@ -5,11 +5,11 @@
 //! in the envelope, however curvatures are rounded. Verticals close the envelope.
 
 use super::envelope::{Span, envelope};
-use super::part::part;
-use super::sums::{Sums, Taken, straight};
+use super::sums::{Sums, Taken};
 use crate::angle::Ang;
 use crate::arrangement::cross::CrossingModule;
 use crate::chain::Chain;
+use crate::part::part;
 use crate::piece::{Piece, Source};
 use glam::DVec2;
 
@@ -74,7 +74,7 @@ impl Crust {
         let rights = [self.ends[0]].into_iter().chain(self.spans.iter().map(|span| span.right));
         rights.zip(lefts).filter(|(from, to)| from != to).map(|(from, to)| {
             let (tail, head) = self.run(from, to);
-            straight(points, tail, head, Source { first: u32::MAX, second: head })
+            Piece::between(points, tail, head, Source { first: u32::MAX, second: head })
         })
     }
 

@@ -1,5 +1,6 @@
 //! Convolutions: closed curves whose winding numbers tell the sum from the free space (MS 3; memo B).
 
+mod buckets;
 mod cancelled;
 mod convex;
 mod crust;
@@ -9,7 +10,6 @@ mod kinetic;
 mod monotonic;
 pub mod order;
 pub mod ordered;
-pub(crate) mod part;
 mod sites;
 mod sums;
 
@@ -26,7 +26,6 @@ use kinetic::Side;
 use monotonic::Monotonic;
 use order::Order;
 use sums::Sums;
-pub(crate) use sums::straight;
 
 /// A place inside an arc of an operand at which sum segments end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -6,15 +6,16 @@
 //! rule has made their overlap simply connected. The moved boundaries, T segments, run backwards (memo fact 8). Where a crust
 //! runs along one, the two cancel. That is known from what the pieces are sums of, never from coordinates.
 
+use super::buckets::into_buckets;
 use super::cancelled::Cancelled;
 use super::crust::{Rule, crust};
 use super::fill::Filled;
 use super::kinetic::{Side, convolve};
 use super::order::{Group, Kind, Order, Role};
-use super::part::part;
 use super::sums::{Placed, Summand, Sums, Taken};
 use crate::arrangement::cross::CrossingModule;
 use crate::chain::{Chain, Chains, Turning};
+use crate::part::part;
 use crate::piece::Piece;
 use crate::smooth::Kind as SegKind;
 use glam::DVec2;
@@ -86,17 +87,7 @@ impl<'s, 'a, M: CrossingModule> Monotonic<'s, 'a, M> {
         };
         let pairs: Vec<(usize, u32)> =
             (0..forward.len()).filter(|&k| forward[k]).map(|k| (pair(k), k as u32)).collect();
-        let mut firsts = vec![0_u32; self.chains[0].chains.len() * width + 1];
-        pairs.iter().for_each(|(pair, _)| firsts[pair + 1] += 1);
-        for pair in 1..firsts.len() {
-            firsts[pair] += firsts[pair - 1];
-        }
-        let (mut next, mut sorted) = (firsts.clone(), vec![0; pairs.len()]);
-        for (pair, k) in pairs {
-            sorted[next[pair] as usize] = k;
-            next[pair] += 1;
-        }
-        (firsts, sorted)
+        into_buckets(self.chains[0].chains.len() * width, &pairs)
     }
 
     /// The chain of one kind that a summand belongs to.

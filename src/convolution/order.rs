@@ -9,6 +9,7 @@
 //! below U2 at some abscissa v, and one of L1 and U1 at x - v, so it reaches only as far as the shorter chain of each pair.
 //! Beyond, the crusts may cross (see [`crate::errata`]).
 
+use super::buckets::into_buckets;
 use crate::arrangement::curve::Curve;
 use crate::arrangement::known::Known;
 use crate::piece::Pieces;
@@ -119,7 +120,6 @@ struct Members {
 /// A piece at a pair of turning points, with the range of its abscissas.
 #[derive(Clone, Copy, Debug)]
 struct Member {
-    group: u32,
     range: [f64; 2],
     piece: u32,
 }
@@ -138,8 +138,10 @@ pub struct Order {
     roles: Vec<Role>,
     /// Where the roles of each piece start.
     starts: Vec<u32>,
-    /// The pieces of each group from left to right, once [`Order::finish`] has sorted them.
-    members: Vec<Member>,
+    /// The pieces with their groups.
+    members: Vec<(usize, Member)>,
+    /// The same by group, each group's from left to right, once [`Order::finish`] has sorted them.
+    sorted: Vec<Member>,
     /// Where those of each group start.
     firsts: Vec<u32>,
     /// The widest range of a piece of each group.
@@ -169,7 +171,7 @@ impl Order {
     /// Gives the next piece, between these abscissas, its roles.
     pub fn push(&mut self, range: [f64; 2], roles: &[Role]) {
         let piece = self.starts.len() as u32;
-        self.members.extend(roles.iter().map(|(group, _)| Member { group: *group, range, piece }));
+        self.members.extend(roles.iter().map(|(group, _)| (*group as usize, Member { range, piece })));
         self.starts.push(self.roles.len() as u32);
         self.roles.extend_from_slice(roles);
     }
@@ -177,28 +179,15 @@ impl Order {
     /// Makes the order ready for questions.
     pub fn finish(&mut self) {
         self.starts.push(self.roles.len() as u32);
-        self.firsts = vec![0; self.groups.len() + 1];
         self.widest = vec![0.0; self.groups.len()];
-        for Member { group, range, .. } in &self.members {
-            self.firsts[*group as usize + 1] += 1;
-            let widest = &mut self.widest[*group as usize];
-            *widest = widest.max(range[1] - range[0]);
+        for (group, Member { range, .. }) in &self.members {
+            self.widest[*group] = self.widest[*group].max(range[1] - range[0]);
         }
-        for group in 0..self.groups.len() {
-            self.firsts[group + 1] += self.firsts[group];
-        }
-        let mut next = self.firsts.clone();
-        let mut sorted = self.members.clone();
-        for member in &self.members {
-            let slot = &mut next[member.group as usize];
-            sorted[*slot as usize] = *member;
-            *slot += 1;
-        }
+        (self.firsts, self.sorted) = into_buckets(self.groups.len(), &self.members);
         for own in self.firsts.windows(2) {
-            let own = &mut sorted[own[0] as usize..own[1] as usize];
+            let own = &mut self.sorted[own[0] as usize..own[1] as usize];
             own.sort_unstable_by(|p, q| p.range[0].total_cmp(&q.range[0]).then(p.piece.cmp(&q.piece)));
         }
-        self.members = sorted;
     }
 
     /// The order of parts of the pieces, given for each part its piece, if it is part of one.
@@ -229,7 +218,7 @@ impl Order {
     pub fn related(&self, piece: u32, x: f64, found: &mut Vec<u32>) {
         for (group, _) in self.roles(piece) {
             let group = *group as usize;
-            let members = &self.members[self.firsts[group] as usize..self.firsts[group + 1] as usize];
+            let members = &self.sorted[self.firsts[group] as usize..self.firsts[group + 1] as usize];
             let first = members.partition_point(|member| member.range[0] < x - self.widest[group]);
             let near = members[first..].iter().take_while(|member| member.range[0] <= x);
             found.extend(near.filter(|member| x <= member.range[1]).map(|member| member.piece));

@@ -186,18 +186,7 @@ impl<'a> Sums<'a> {
         let (tail, head) = if forward { (tail, head) } else { (head, tail) };
         let normal = if forward { line.seg.a } else { line.seg.a.opposite() };
         let source = self.source(summands[0].seg, summands[1].seg);
-        let piece = Piece {
-            tail,
-            head,
-            a: normal,
-            b: normal,
-            whole: [tail, head],
-            delta: 0.0,
-            r: 0.0,
-            source,
-            operand: 0,
-            weight: 1,
-        };
+        let piece = Piece::line(tail, head, normal, source);
         self.push(piece, summands.map(|placed| placed.summand()));
     }
 
@@ -259,7 +248,7 @@ impl<'a> Sums<'a> {
         let (tail, head) = if x.seg.delta * y.seg.delta > 0.0 { (from, to) } else { (to, from) };
         if tail != head {
             let source = self.source(x.seg, y.seg);
-            self.push(straight(&self.pieces.points, tail, head, source), [x.summand(), y.summand()]);
+            self.push(Piece::between(&self.pieces.points, tail, head, source), [x.summand(), y.summand()]);
         }
     }
 
@@ -284,10 +273,4 @@ impl<'a> Sums<'a> {
         }
         vertex
     }
-}
-
-/// The line between two vertices. Where they have equal coordinates the arrangement merges them, and any normal will do.
-pub fn straight(points: &[DVec2], tail: u32, head: u32, source: Source) -> Piece {
-    let normal = Ang::of_line(points[tail as usize], points[head as usize]).unwrap_or(Ang::RIGHT);
-    Piece { tail, head, a: normal, b: normal, whole: [tail, head], delta: 0.0, r: 0.0, source, operand: 0, weight: 1 }
 }

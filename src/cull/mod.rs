@@ -16,7 +16,7 @@ mod proof;
 mod rim;
 mod walk;
 
-use crate::convolution::part::part;
+use crate::part::part;
 use crate::piece::{Piece, Pieces};
 use grid::{Cell, Grid};
 use proof::Proof;

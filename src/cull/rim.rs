@@ -5,8 +5,7 @@
 use super::grid::{Cell, Grid};
 use super::proof::{Proof, middle};
 use super::{Culled, DEEP};
-use crate::convolution::straight;
-use crate::piece::Source;
+use crate::piece::{Piece, Source};
 use glam::DVec2;
 use rustc_hash::FxHashMap as HashMap;
 
@@ -50,10 +49,6 @@ impl Side {
     /// The side that comes next around a cell, or with `steps` 3 the one before.
     fn turned(self, steps: usize) -> Self {
         SIDES[(self as usize + steps) % 4]
-    }
-
-    fn is_upright(self) -> bool {
-        matches!(self, Self::Right | Self::Left)
     }
 }
 
@@ -160,9 +155,8 @@ impl<'a> Rims<'a> {
         winding - self.met(start).iter().filter(before).map(|met| met.change).sum::<i32>()
     }
 
-    /// Adds the rim that this side belongs to.
+    /// Adds the rim that this side, which is upright, belongs to.
     fn run(&self, start: (Cell, Side), left: &mut Culled, done: &mut [bool]) -> Option<()> {
-        debug_assert!(start.1.is_upright());
         let first = add_point(left, self.corner(start));
         let (mut at, mut from, beginning) = (start, first, self.outside(start));
         let mut outside = beginning;
@@ -196,6 +190,6 @@ fn add_point(left: &mut Culled, point: DVec2) -> u32 {
 
 fn add_piece(left: &mut Culled, [tail, head]: [u32; 2], weight: i32) {
     let source = Source { first: u32::MAX, second: head };
-    let piece = straight(&left.pieces.points, tail, head, source);
-    left.pieces.pieces.push(crate::piece::Piece { weight, ..piece });
+    let piece = Piece::between(&left.pieces.points, tail, head, source);
+    left.pieces.pieces.push(Piece { weight, ..piece });
 }

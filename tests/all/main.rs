@@ -21,6 +21,7 @@ mod multiplicity;
 mod mutated_json;
 mod naive;
 mod order;
+mod order_table;
 mod realize;
 mod regions;
 mod small_polygons;

@@ -134,3 +134,45 @@ proptest! {
         prop_assert!(bracket.hi <= ARCS, "{bracket:?}");
     }
 }
+
+/// Radii that add up to a few roundings, of either sign: what runs forward on a crust is decided by rounded ends (memo E7).
+#[test]
+fn radii_that_nearly_cancel_leave_no_gap() {
+    for ulps in (0..=64_i32).filter(|k| *k < 9 || k.count_ones() == 1).flat_map(|k| [k, -k]) {
+        let radius = 1.0 + f64::from(ulps) * f64::EPSILON;
+        // A quarter disc, and a block with a bite of nearly its radius.
+        let arc = |x, y, r| Node { x, y, curve: Curve::Radius(r) };
+        let quarter = vec![Node::line(0.0, 0.0), arc(1.0, 0.0, 1.0), Node::line(0.0, 1.0)];
+        let bitten =
+            vec![Node::line(-2.0, -2.0), Node::line(radius, -2.0), arc(radius, 0.0, -radius), Node::line(0.0, -radius)];
+        let a = Region { loops: vec![quarter], ..Region::default() };
+        for b in [bitten.clone(), bitten.iter().map(|n| Node { x: n.x + 0.1, ..*n }).collect()] {
+            let b = Region { loops: vec![b], ..Region::default() };
+            let unit = unit(&a, &b);
+            let [one, other] = [Convolution::Monotonic, Convolution::Kinetic]
+                .map(|convolution| outline(&plus(&a, &b, convolution), unit));
+            let bracket = between(&one, &other).expect("closed").expect("decided").bracket;
+            assert!(bracket.hi <= ARCS, "{ulps}: {bracket:?}");
+        }
+    }
+}
+
+/// Staircases turned by a tiny angle: their verticals are none any more, and the sum is as near as before.
+#[test]
+fn verticals_may_lean() {
+    let steps =
+        polygon(&[[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [2.0, 1.0], [2.0, 2.0], [1.0, 2.0], [1.0, 3.0], [0.0, 3.0]]);
+    let slot =
+        polygon(&[[0.0, 0.0], [4.0, 0.0], [4.0, 2.0], [3.0, 2.0], [3.0, 1.0], [1.0, 1.0], [1.0, 2.0], [0.0, 2.0]]);
+    for exponent in [-53, -50, -40, -30, -20] {
+        for angle in [libm::scalbn(1.0, exponent), -libm::scalbn(1.0, exponent)] {
+            let lean = |region: &Region| mapped(region, |n| Node { x: n.x - angle * n.y, y: n.y + angle * n.x, ..n });
+            let (a, b) = (lean(&steps), lean(&slot));
+            let exact: ExactRegion<Rational> =
+                arcsum_oracle::polygon::sum(&plain(&a), &plain(&b)).expect("within budget");
+            let sum = plus(&a, &b, Convolution::Monotonic);
+            let bracket = measure::hausdorff(&plain(&sum), &exact, unit(&a, &b)).expect("measurable");
+            assert!(bracket.hi <= TWICE, "{angle:e}: {bracket:?}");
+        }
+    }
+}

@@ -1,6 +1,5 @@
 //! Parts of pieces, between vertices that lie on them up to rounding.
 
-use super::sums::straight;
 use crate::angle::Ang;
 use crate::piece::Piece;
 use glam::DVec2;
@@ -12,7 +11,7 @@ pub fn part(points: &[DVec2], piece: &Piece, tail: u32, head: u32) -> Piece {
     }
     let width = |[from, to]: [u32; 2]| points[to as usize].x - points[from as usize].x;
     if width([tail, head]) * width([piece.tail, piece.head]).signum() <= 0.0 {
-        return straight(points, tail, head, piece.source);
+        return Piece::between(points, tail, head, piece.source);
     }
     let [a, b] = [tail, head].map(|vertex| piece.a.plus(turned(points, piece, vertex)));
     Piece { tail, head, a, b, ..*piece }
