@@ -1,11 +1,29 @@
 //! Parts of pieces, between vertices that lie on them up to rounding.
 
 use crate::angle::Ang;
-use crate::piece::Piece;
+use crate::piece::{Piece, Pieces};
 use glam::DVec2;
 
+/// Parts of the pieces of a convolution, and what was added to keep the curves closed.
+#[derive(Clone, Debug)]
+pub struct Parts {
+    /// The parts, and what was added.
+    pub pieces: Pieces,
+    /// The piece that each is a part of; none for what was added.
+    pub origins: Vec<Option<u32>>,
+}
+
+impl Parts {
+    /// Parts of these parts, as parts of what these are parts of.
+    #[must_use]
+    pub(crate) fn refined(&self, parts: Self) -> Self {
+        let origins = parts.origins.into_iter().map(|origin| origin.and_then(|part| self.origins[part as usize]));
+        Self { pieces: parts.pieces, origins: origins.collect() }
+    }
+}
+
 /// The part of a whole piece from one vertex to another, in its direction. A part too short to have a width is straight.
-pub fn part(points: &[DVec2], piece: &Piece, tail: u32, head: u32) -> Piece {
+pub(crate) fn part(points: &[DVec2], piece: &Piece, tail: u32, head: u32) -> Piece {
     if [tail, head] == [piece.tail, piece.head] {
         return *piece;
     }

@@ -3,14 +3,16 @@
 
 use crate::arrangement::{Arrangement, arrange_by};
 use crate::cellwise::decide;
+use crate::coincide::merged;
 use crate::convolution::{convex_by, kinetic_by, monotonic_by, ordered};
-use crate::cull::{Culled, cull};
+use crate::cull::cull;
 use crate::extract::{outline, region};
 use crate::frame::Frame;
 use crate::heuristic::{Rejected, reject};
+use crate::part::Parts;
 use crate::piece::{Piece, Pieces};
 use crate::region::Region;
-use crate::robustness::Robustness;
+use crate::robustness::{Robustness, Step};
 use crate::smooth::{Smooth, SmoothError};
 use crate::tidy::{is_curled, tidied};
 use std::time::{Duration, Instant};
@@ -48,7 +50,7 @@ pub struct Options {
 pub struct Times {
     /// Normalisation and convolution.
     pub convolution: Duration,
-    /// Culling and arrangement.
+    /// Merging, culling and arrangement.
     pub arrangement: Duration,
     /// Extraction, the heuristic, and what decides cells one by one.
     pub extraction: Duration,
@@ -105,13 +107,12 @@ pub fn sum(a: &Region, b: &Region, options: &Options) -> Result<Sum, SumError> {
     let plane = pieces.is_none();
     let (convolution, order) = pieces.unwrap_or_else(|| (Pieces { base: [1, 0], ..Pieces::default() }, None));
     let convolved = Instant::now();
-    let culls = options.culling && options.threshold.is_none() && options.convolution != Convolution::Convex;
-    let culled = if culls { cull(&convolution) } else { None };
-    let order = match &culled {
+    let reduced = reduced(&convolution, options);
+    let order = match &reduced {
         None => order,
-        Some(Culled { pieces, origins }) => order.map(|order| order.of_parts(pieces, origins)),
+        Some(Parts { pieces, origins }) => order.map(|order| order.of_parts(pieces, origins)),
     };
-    let arranged = culled.as_ref().map_or(&convolution, |culled| &culled.pieces);
+    let arranged = reduced.as_ref().map_or(&convolution, |parts| &parts.pieces);
     let mut arrangement = match &order {
         None => arrange_by(arranged, options.robustness),
         Some(order) => ordered::arrange(arranged, order, options.robustness),
@@ -120,13 +121,31 @@ pub fn sum(a: &Region, b: &Region, options: &Options) -> Result<Sum, SumError> {
     if options.convolution == Convolution::Convex && !plane {
         decide(&mut arrangement, &smooth_a, &smooth_b);
     }
-    let mut with_connectors = options.threshold.map(|_| convolution.clone());
+    let mut with_connectors = options.threshold.map(|_| arranged.clone());
     let threshold = options.threshold.unwrap_or_default();
     let rejected = with_connectors.as_mut().map(|pieces| reject(&mut arrangement, pieces, threshold));
     let loops = outline(&arrangement, with_connectors.as_ref().unwrap_or(arranged), |w| w[0] != 0);
     let region = region(&loops, convolution.base[0] != 0 || plane, |p| frames.0.sum_to_input(&frames.1, p));
     let times = Times { convolution: convolved - start, arrangement: done - convolved, extraction: done.elapsed() };
     Ok(Sum { region, convolution, frames, arrangement, rejected, times })
+}
+
+/// What is left of a convolution when what coincides is merged and, if asked for, what lies deep inside is culled. `None` if
+/// that is all of it. A convex convolution has no winding numbers to keep.
+fn reduced(convolution: &Pieces, options: &Options) -> Option<Parts> {
+    if options.convolution == Convolution::Convex {
+        return None;
+    }
+    let merged = if options.robustness.takes(Step::Cuts) { merged(convolution) } else { None };
+    let culls = options.culling && options.threshold.is_none();
+    let left = merged.as_ref().map_or(convolution, |parts| &parts.pieces);
+    match if culls { cull(left) } else { None } {
+        None => merged,
+        Some(culled) => Some(match &merged {
+            None => culled,
+            Some(merged) => merged.refined(culled),
+        }),
+    }
 }
 
 /// Smooths an operand, tidied if need be: results of the engine have loops that cross, fold or curl by a rounding. An operand

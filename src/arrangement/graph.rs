@@ -73,15 +73,21 @@ impl Graph {
     /// An empty map.
     #[must_use]
     pub(super) fn new() -> Self {
+        Self::with_room_for(0)
+    }
+
+    /// An empty map with room for so many curves that hardly cross.
+    #[must_use]
+    pub(super) fn with_room_for(curves: usize) -> Self {
         Self {
-            points: Vec::new(),
-            edges: Vec::new(),
+            points: Vec::with_capacity(2 * curves),
+            edges: Vec::with_capacity(2 * curves),
             curves: Vec::new(),
             windings: Vec::new(),
             winding_conflicts: 0,
-            around: Vec::new(),
-            first_around: Vec::new(),
-            slot: Vec::new(),
+            around: Vec::with_capacity(4 * curves),
+            first_around: Vec::with_capacity(2 * curves + 1),
+            slot: Vec::with_capacity(4 * curves),
         }
     }
 

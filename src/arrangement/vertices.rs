@@ -55,18 +55,18 @@ impl Vertices {
         let clean: Vec<DVec2> = pieces.points.iter().map(|p| DVec2::new(flushed(p.x), flushed(p.y))).collect();
         let mut is_end = vec![false; clean.len()];
         pieces.pieces.iter().flat_map(|piece| [piece.tail, piece.head]).for_each(|v| is_end[v as usize] = true);
-        let mut order: Vec<u32> = (0..clean.len() as u32).filter(|v| is_end[*v as usize]).collect();
-        order.sort_unstable_by(|i, j| compare(clean[*i as usize], clean[*j as usize]));
-        let mut points: Vec<DVec2> = Vec::with_capacity(clean.len());
+        let ends = (0..clean.len() as u32).filter(|v| is_end[*v as usize]);
+        let mut order: Vec<(DVec2, u32)> = ends.map(|v| (clean[v as usize], v)).collect();
+        order.sort_unstable_by(|(p, _), (q, _)| compare(*p, *q));
+        let mut points: Vec<DVec2> = Vec::with_capacity(order.len());
         let mut vertex_of = vec![NONE; clean.len()];
-        for i in order {
-            let p = clean[i as usize];
+        for (p, i) in order {
             if points.last() != Some(&p) {
                 points.push(p);
             }
             vertex_of[i as usize] = (points.len() - 1) as u32;
         }
-        let lists = Lists { head: vec![NONE; points.len()], next: Vec::new() };
+        let lists = Lists { head: vec![NONE; points.len()], next: Vec::with_capacity(pieces.pieces.len()) };
         let mut vertices = Self { points, lists: [lists.clone(), lists] };
         let mut curves = Vec::with_capacity(pieces.pieces.len());
         for (index, piece) in pieces.pieces.iter().enumerate() {

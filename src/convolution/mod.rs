@@ -11,6 +11,7 @@ mod monotonic;
 pub mod order;
 pub mod ordered;
 mod sites;
+mod stab;
 mod sums;
 
 use crate::angle::Ang;
@@ -87,7 +88,6 @@ fn crusts_and_boundaries<M: CrossingModule>(
     let (sums, base) = collect(a, b, rounding, |sums, filled| {
         Monotonic::new(sums, &mut order, filled, (rule, module)).convolve();
     })?;
-    order.finish();
     Some((sums.finish(base), order))
 }
 

@@ -9,10 +9,11 @@
 //! below U2 at some abscissa v, and one of L1 and U1 at x - v, so it reaches only as far as the shorter chain of each pair.
 //! Beyond, the crusts may cross (see [`crate::errata`]).
 
-use super::buckets::into_buckets;
+use super::stab::{Range, Ranges};
 use crate::arrangement::curve::Curve;
 use crate::arrangement::known::Known;
 use crate::piece::Pieces;
+use std::sync::OnceLock;
 
 /// A kind of segment at a pair of turning points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -117,13 +118,6 @@ struct Members {
     along: Vec<(Kind, [f64; 2])>,
 }
 
-/// A piece at a pair of turning points, with the range of its abscissas.
-#[derive(Clone, Copy, Debug)]
-struct Member {
-    range: [f64; 2],
-    piece: u32,
-}
-
 /// What a piece is at a pair of turning points.
 pub type Role = (u32, Kind);
 
@@ -136,16 +130,14 @@ pub struct Order {
     /// How many turning points the second component has.
     width: usize,
     roles: Vec<Role>,
-    /// Where the roles of each piece start.
-    starts: Vec<u32>,
-    /// The pieces with their groups.
-    members: Vec<(usize, Member)>,
-    /// The same by group, each group's from left to right, once [`Order::finish`] has sorted them.
-    sorted: Vec<Member>,
-    /// Where those of each group start.
-    firsts: Vec<u32>,
-    /// The widest range of a piece of each group.
-    widest: Vec<f64>,
+    /// Where the roles of each piece end.
+    ends: Vec<u32>,
+    /// A bit or more a piece: two pieces without a common bit have no common group.
+    marks: Vec<u64>,
+    /// The abscissas of the pieces with their groups.
+    members: Vec<(usize, Range)>,
+    /// The same, once somebody has asked for them.
+    ranges: OnceLock<Ranges>,
     /// A row of the order table that is not used, for tests that show what it is good for.
     pub without: Option<usize>,
 }
@@ -170,24 +162,12 @@ impl Order {
 
     /// Gives the next piece, between these abscissas, its roles.
     pub fn push(&mut self, range: [f64; 2], roles: &[Role]) {
-        let piece = self.starts.len() as u32;
-        self.members.extend(roles.iter().map(|(group, _)| (*group as usize, Member { range, piece })));
-        self.starts.push(self.roles.len() as u32);
+        let piece = self.ends.len() as u32;
+        let [from, to] = range;
+        self.members.extend(roles.iter().map(|(group, _)| (*group as usize, Range { from, to, item: piece })));
+        self.marks.push(roles.iter().fold(0, |marks, (group, _)| marks | mark(*group)));
         self.roles.extend_from_slice(roles);
-    }
-
-    /// Makes the order ready for questions.
-    pub fn finish(&mut self) {
-        self.starts.push(self.roles.len() as u32);
-        self.widest = vec![0.0; self.groups.len()];
-        for (group, Member { range, .. }) in &self.members {
-            self.widest[*group] = self.widest[*group].max(range[1] - range[0]);
-        }
-        (self.firsts, self.sorted) = into_buckets(self.groups.len(), &self.members);
-        for own in self.firsts.windows(2) {
-            let own = &mut self.sorted[own[0] as usize..own[1] as usize];
-            own.sort_unstable_by(|p, q| p.range[0].total_cmp(&q.range[0]).then(p.piece.cmp(&q.piece)));
-        }
+        self.ends.push(self.roles.len() as u32);
     }
 
     /// The order of parts of the pieces, given for each part its piece, if it is part of one.
@@ -198,7 +178,6 @@ impl Order {
             let [p, q] = [part.tail, part.head].map(|v| pieces.points[v as usize].x);
             order.push([p.min(q), p.max(q)], origin.map_or(&[], |piece| self.roles(piece)));
         }
-        order.finish();
         order
     }
 
@@ -210,24 +189,30 @@ impl Order {
     /// What a piece is at the pairs of turning points that it belongs to.
     #[must_use]
     pub fn roles(&self, piece: u32) -> &[Role] {
-        let [start, end] = [piece, piece + 1].map(|i| self.starts[i as usize] as usize);
-        &self.roles[start..end]
+        let start = if piece == 0 { 0 } else { self.ends[piece as usize - 1] };
+        &self.roles[start as usize..self.ends[piece as usize] as usize]
     }
 
     /// Adds the pieces at this abscissa with an end at the same sum of turning points as this one.
     pub fn related(&self, piece: u32, x: f64, found: &mut Vec<u32>) {
+        let ranges = self.ranges.get_or_init(|| Ranges::new(self.groups.len(), &self.members));
         for (group, _) in self.roles(piece) {
-            let group = *group as usize;
-            let members = &self.sorted[self.firsts[group] as usize..self.firsts[group + 1] as usize];
-            let first = members.partition_point(|member| member.range[0] < x - self.widest[group]);
-            let near = members[first..].iter().take_while(|member| member.range[0] <= x);
-            found.extend(near.filter(|member| x <= member.range[1]).map(|member| member.piece));
+            ranges.holding(*group as usize, x, found);
         }
     }
 
     /// Whether one curve is below another just right of an abscissa, up to which both are active.
     #[must_use]
+    #[inline]
     pub fn known(&self, f: &Curve, g: &Curve, x: f64) -> Known {
+        // Most neighbours have nothing to do with each other.
+        if self.marks[f.piece as usize] & self.marks[g.piece as usize] == 0 {
+            return Known::NOTHING;
+        }
+        self.known_of_related(f, g, x)
+    }
+
+    fn known_of_related(&self, f: &Curve, g: &Curve, x: f64) -> Known {
         let (of_f, of_g) = (self.roles(f.piece), self.roles(g.piece));
         if !of_f.iter().any(|(group, _)| of_g.iter().any(|(other, _)| group == other)) {
             return Known::NOTHING;
@@ -252,6 +237,11 @@ impl Order {
         }
         known
     }
+}
+
+/// The bit of a group.
+fn mark(group: u32) -> u64 {
+    1 << (group % 64)
 }
 
 impl Members {

@@ -1,6 +1,6 @@
 //! Culling: leaves out of a convolution what lies deep inside the sum, before it is arranged (ours).
 //!
-//! A grid is laid over the convolution. Where the winding number at one point of a cell exceeds the number of pieces in the
+//! A grid is laid over the convolution. Where the winding number at one point of a cell exceeds the weights of the pieces in the
 //! cell, it is positive in the whole cell, because a way from that point to another crosses each piece at most once for
 //! the balance. Such a cell is blocked, whatever the arrangement in it looks like. Pieces are cut at the rims of what is
 //! proved blocked, and what is inside is left out. A rim closes the curves again: its weight is what the winding number outside
@@ -16,7 +16,7 @@ mod proof;
 mod rim;
 mod walk;
 
-use crate::part::part;
+use crate::part::{Parts, part};
 use crate::piece::{Piece, Pieces};
 use grid::{Cell, Grid};
 use proof::Proof;
@@ -29,18 +29,10 @@ const DEEP: i32 = 1 << 20;
 /// With fewer pieces there is nothing to gain.
 const FEW: usize = 256;
 
-/// What is left of a convolution.
-#[derive(Clone, Debug)]
-pub struct Culled {
-    /// Parts of its pieces, and rims.
-    pub pieces: Pieces,
-    /// The piece that each is a part of; none for rims.
-    pub origins: Vec<Option<u32>>,
-}
-
-/// Culls a convolution, which must be one operand's and of closed curves. `None` if there is nothing to gain.
+/// Culls a convolution, which must be one operand's and of closed curves: the parts of its pieces that are left, and rims.
+/// `None` if there is nothing to gain.
 #[must_use]
-pub fn cull(pieces: &Pieces) -> Option<Culled> {
+pub fn cull(pieces: &Pieces) -> Option<Parts> {
     if pieces.pieces.len() < FEW {
         return None;
     }
@@ -54,7 +46,7 @@ pub fn cull(pieces: &Pieces) -> Option<Culled> {
         cutting.cut(index);
     }
     cutting.rims.close(&mut cutting.left)?;
-    let Culled { pieces, origins } = &mut cutting.left;
+    let Parts { pieces, origins } = &mut cutting.left;
     origins.resize(pieces.pieces.len(), None);
     Some(cutting.left)
 }
@@ -64,7 +56,7 @@ struct Cutting<'a> {
     grid: &'a Grid,
     proof: &'a Proof,
     whole: &'a Pieces,
-    left: Culled,
+    left: Parts,
     rims: Rims<'a>,
     steps: Vec<Step>,
 }
@@ -72,7 +64,7 @@ struct Cutting<'a> {
 impl<'a> Cutting<'a> {
     fn new(grid: &'a Grid, proof: &'a Proof, whole: &'a Pieces) -> Self {
         let pieces = Pieces { points: whole.points.clone(), pieces: Vec::new(), base: whole.base };
-        let left = Culled { pieces, origins: Vec::new() };
+        let left = Parts { pieces, origins: Vec::new() };
         Self { grid, proof, whole, left, rims: Rims::new(grid, proof), steps: Vec::new() }
     }
 
@@ -96,8 +88,9 @@ impl<'a> Cutting<'a> {
                 let vertex = self.left.pieces.points.len() as u32;
                 self.left.pieces.points.push(step.at);
                 let (inner, outer) = if holds { (step.to, cell) } else { (cell, step.to) };
-                // Whether the piece, which may run leftward, goes inside here.
-                self.rims.meet(inner, Side::towards(inner, outer), step.at, vertex, holds == rightward);
+                // The winding number is higher on the left of the piece: of one that comes in, behind.
+                let change = if holds == rightward { -piece.weight } else { piece.weight };
+                self.rims.meet(inner, Side::towards(inner, outer), step.at, vertex, change);
                 match from.take() {
                     Some(from) => self.keep(index, rightward, from, vertex),
                     None => from = Some(vertex),

@@ -29,11 +29,12 @@ impl Proof {
         for piece in &pieces.pieces {
             let Some((mut cell, rightward)) = walk(grid, pieces, piece, &mut steps) else { continue };
             let weight = if rightward { piece.weight } else { -piece.weight };
+            let (is_higher_above, fall) = (weight > 0, weight.abs());
             let mut entry = None;
             for step in &steps {
                 // A piece that begins in a cell may be passed on both sides.
-                let may_fall = entry.is_none_or(|entry| is_on_left(grid, cell, entry) == rightward);
-                falls[grid.index(cell)] += i32::from(may_fall);
+                let may_fall = entry.is_none_or(|entry| is_on_left(grid, cell, entry) == is_higher_above);
+                falls[grid.index(cell)] += if may_fall { fall } else { 0 };
                 visits[grid.index(cell)] += 1;
                 if step.to.column != cell.column && step.at.y < middle(grid, step.to.row) {
                     changes[grid.index(step.to)] += weight;
@@ -43,7 +44,7 @@ impl Proof {
                 entry = Some((cell, step.at));
                 cell = step.to;
             }
-            falls[grid.index(cell)] += 1;
+            falls[grid.index(cell)] += fall;
             visits[grid.index(cell)] += 1;
         }
         let windings = changes.chunks(rows).flat_map(|column| {

@@ -2,9 +2,10 @@
 //!
 //! A rim is run with the inside on its left. Along it the winding number outside changes where a piece comes in or goes out.
 
+use super::DEEP;
 use super::grid::{Cell, Grid};
 use super::proof::{Proof, middle};
-use super::{Culled, DEEP};
+use crate::part::Parts;
 use crate::piece::{Piece, Source};
 use glam::DVec2;
 use rustc_hash::FxHashMap as HashMap;
@@ -74,15 +75,14 @@ impl<'a> Rims<'a> {
         Self { grid, proof, meetings: HashMap::default() }
     }
 
-    /// Notes that a piece of weight 1 crosses a side of a proved cell.
-    pub fn meet(&mut self, inner: Cell, side: Side, at: DVec2, vertex: u32, inward: bool) {
-        // The winding number is higher by one on the left of the piece: of one that comes in, behind.
-        let meeting = Meeting { along: side.along(at), vertex, change: if inward { -1 } else { 1 } };
+    /// Notes that a piece crosses a side of a proved cell, where the winding number outside changes by so much along the rim.
+    pub fn meet(&mut self, inner: Cell, side: Side, at: DVec2, vertex: u32, change: i32) {
+        let meeting = Meeting { along: side.along(at), vertex, change };
         self.meetings.entry((self.grid.index(inner), side)).or_default().push(meeting);
     }
 
     /// Adds all rims. `None` if the winding numbers do not come out even, which would be a mistake of the walks.
-    pub fn close(&mut self, left: &mut Culled) -> Option<()> {
+    pub fn close(&mut self, left: &mut Parts) -> Option<()> {
         self.meetings.values_mut().for_each(|met| met.sort_by(|p, q| p.along.total_cmp(&q.along)));
         let mut done = vec![false; 4 * self.grid.columns() * self.grid.rows()];
         for column in 0..self.grid.columns() {
@@ -156,7 +156,7 @@ impl<'a> Rims<'a> {
     }
 
     /// Adds the rim that this side, which is upright, belongs to.
-    fn run(&self, start: (Cell, Side), left: &mut Culled, done: &mut [bool]) -> Option<()> {
+    fn run(&self, start: (Cell, Side), left: &mut Parts, done: &mut [bool]) -> Option<()> {
         let first = add_point(left, self.corner(start));
         let (mut at, mut from, beginning) = (start, first, self.outside(start));
         let mut outside = beginning;
@@ -183,12 +183,12 @@ impl<'a> Rims<'a> {
     }
 }
 
-fn add_point(left: &mut Culled, point: DVec2) -> u32 {
+fn add_point(left: &mut Parts, point: DVec2) -> u32 {
     left.pieces.points.push(point);
     (left.pieces.points.len() - 1) as u32
 }
 
-fn add_piece(left: &mut Culled, [tail, head]: [u32; 2], weight: i32) {
+fn add_piece(left: &mut Parts, [tail, head]: [u32; 2], weight: i32) {
     let source = Source { first: u32::MAX, second: head };
     let piece = Piece::between(&left.pieces.points, tail, head, source);
     left.pieces.pieces.push(Piece { weight, ..piece });

@@ -5,6 +5,7 @@
 //! go: outer loops run counter-clockwise, holes clockwise. Pieces of one source are merged where no other part of the boundary
 //! touches them, otherwise iterated sums would grow without end.
 
+mod places;
 mod run;
 mod trace;
 
@@ -12,6 +13,9 @@ use crate::arrangement::Arrangement;
 use crate::piece::Pieces;
 use crate::region::{Curve, Node, Region};
 use glam::DVec2;
+use places::Places;
+use run::Runs;
+use trace::Pinches;
 
 /// A vertex of a loop, in units of the frame, and half the sweep of the segment that leaves it: 0 for a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,13 +30,16 @@ pub struct Corner {
 /// of the frame.
 #[must_use]
 pub fn outline(arrangement: &Arrangement, pieces: &Pieces, selected: impl Fn([i32; 2]) -> bool) -> Vec<Vec<Corner>> {
+    let graph = &arrangement.graph;
+    let places = Places::new(&graph.points);
+    let traced = trace::loops(graph, &places, selected);
+    let pinches = Pinches::new(graph, &places, &traced);
+    let mut runs = Runs::new(graph, pieces, &places, &pinches);
     let mut loops: Vec<(u32, bool, Vec<Corner>)> = Vec::new();
-    let traced_loops = trace::loops(&arrangement.graph, selected);
-    let pinches = trace::Pinches::new(&arrangement.graph, &traced_loops);
-    for traced in traced_loops {
-        let corners = run::corners(&arrangement.graph, pieces, &traced.halves, &pinches);
+    for (component, halves) in traced.iter() {
+        let corners = runs.corners(halves);
         if !is_flat(&corners) {
-            loops.push((traced.component, signed_area(&corners) < 0.0, corners));
+            loops.push((component, signed_area(&corners) < 0.0, corners));
         }
     }
     loops.sort_by_key(|(component, hole, _)| (*component, *hole));
@@ -43,24 +50,35 @@ pub fn outline(arrangement: &Arrangement, pieces: &Pieces, selected: impl Fn([i3
 /// dropped.
 #[must_use]
 pub fn region(outline: &[Vec<Corner>], unbounded: bool, to_input: impl Fn(DVec2) -> DVec2) -> Region {
+    let mut mapped = Vec::new();
     let loops = outline.iter().filter_map(|corners| {
-        let mapped = corners.iter().map(|c| Corner { point: to_input(c.point), ..*c });
-        let mapped = without_repeats(mapped.collect());
+        mapped.clear();
+        mapped.extend(corners.iter().map(|c| Corner { point: to_input(c.point), ..*c }));
+        drop_repeats(&mut mapped);
         (!is_flat(&mapped)).then(|| mapped.iter().map(node).collect())
     });
     Region { name: None, loops: loops.collect(), unbounded }
 }
 
 fn node(corner: &Corner) -> Node {
-    let bulge = libm::tan(0.5 * corner.delta);
+    let bulge = if corner.delta == 0.0 { 0.0 } else { libm::tan(0.5 * corner.delta) };
     let curve = if bulge == 0.0 { Curve::Line } else { Curve::Bulge(bulge) };
     Node { x: corner.point.x, y: corner.point.y, curve }
 }
 
 /// Drops segments of length zero.
-fn without_repeats(corners: Vec<Corner>) -> Vec<Corner> {
-    let n = corners.len();
-    (0..n).filter(|i| corners[*i].point != corners[(i + 1) % n].point).map(|i| corners[i]).collect()
+fn drop_repeats(corners: &mut Vec<Corner>) {
+    // Of each run of equal points the last one has the segment that leaves.
+    corners.dedup_by(|next, kept| {
+        let same = next.point == kept.point;
+        if same {
+            *kept = *next;
+        }
+        same
+    });
+    if corners.len() > 1 && corners[0].point == corners[corners.len() - 1].point {
+        corners.pop();
+    }
 }
 
 /// Whether a loop bounds nothing: too few segments, or two that run back on each other.

@@ -2,6 +2,7 @@
 //! nothing is merged: the rounding of the segment's ends would push it across the other loop.
 
 use super::Corner;
+use super::places::Places;
 use super::trace::Pinches;
 use crate::arrangement::curve::Curve;
 use crate::arrangement::graph::{Graph, HalfEdge};
@@ -24,42 +25,62 @@ struct Stretch {
     pinched: bool,
 }
 
-/// The corners of a loop.
-pub fn corners(graph: &Graph, pieces: &Pieces, halves: &[HalfEdge], pinches: &Pinches) -> Vec<Corner> {
-    let stretches = merged(stretches(graph, pieces, halves, pinches), same_piece);
-    let measured = stretches.into_iter().map(|s| with_sweep(&graph.curves[s.curve as usize], s)).collect();
-    let runs = merged(measured, same_source);
-    runs.iter().map(|s| Corner { point: s.from, delta: s.delta }).collect()
+/// What makes corners of loops. The lists are kept from loop to loop so that they need not grow again.
+pub struct Runs<'a> {
+    graph: &'a Graph,
+    pieces: &'a Pieces,
+    places: &'a Places,
+    pinches: &'a Pinches,
+    stretches: Vec<Stretch>,
+    merged: Vec<Stretch>,
 }
 
-/// One stretch a half-edge; its sweep is still that of the whole piece, as the loop runs along it.
-fn stretches(graph: &Graph, pieces: &Pieces, halves: &[HalfEdge], pinches: &Pinches) -> Vec<Stretch> {
-    let stretch = |&half: &HalfEdge| {
-        let index = graph.edges[(half / 2) as usize].curve;
-        let curve = &graph.curves[index as usize];
-        let [from, to] = [graph.origin(half), graph.target(half)].map(|v| graph.points[v as usize]);
+impl<'a> Runs<'a> {
+    /// For the loops of a map of these pieces.
+    pub fn new(graph: &'a Graph, pieces: &'a Pieces, places: &'a Places, pinches: &'a Pinches) -> Self {
+        Self { graph, pieces, places, pinches, stretches: Vec::new(), merged: Vec::new() }
+    }
+
+    /// The corners of a loop.
+    pub fn corners(&mut self, halves: &[HalfEdge]) -> Vec<Corner> {
+        let mut stretches = std::mem::take(&mut self.stretches);
+        stretches.clear();
+        stretches.extend(halves.iter().map(|half| self.stretch(*half)));
+        merge(&stretches, &mut self.merged, same_piece);
+        stretches.clear();
+        stretches.extend(self.merged.iter().map(|s| with_sweep(&self.graph.curves[s.curve as usize], *s)));
+        merge(&stretches, &mut self.merged, same_source);
+        self.stretches = stretches;
+        self.merged.iter().map(|s| Corner { point: s.from, delta: s.delta }).collect()
+    }
+
+    /// The stretch of a half-edge; its sweep is still that of the whole piece, as the loop runs along it.
+    fn stretch(&self, half: HalfEdge) -> Stretch {
+        let index = self.graph.edges[(half / 2) as usize].curve;
+        let curve = &self.graph.curves[index as usize];
+        let vertex = self.graph.origin(half);
+        let [from, to] = [vertex, self.graph.target(half)].map(|v| self.graph.points[v as usize]);
         let delta = if half.is_multiple_of(2) { curve.delta } else { -curve.delta };
-        let Piece { source, whole, .. } = pieces.pieces[curve.piece as usize];
-        Stretch { from, to, delta, curve: index, whole, source, pinched: pinches.contains(from) }
-    };
-    halves.iter().map(stretch).collect()
+        let Piece { source, whole, .. } = self.pieces.pieces[curve.piece as usize];
+        let pinched = self.pinches.contains(self.places.of(vertex));
+        Stretch { from, to, delta, curve: index, whole, source, pinched }
+    }
 }
 
 /// Joins neighbours, cyclically, as long as `join` makes one of two and no other part of the boundary touches them where
 /// they meet.
-fn merged(stretches: Vec<Stretch>, join: impl Fn(&Stretch, &Stretch) -> Option<Stretch>) -> Vec<Stretch> {
+fn merge(stretches: &[Stretch], out: &mut Vec<Stretch>, join: impl Fn(&Stretch, &Stretch) -> Option<Stretch>) {
     let n = stretches.len();
     let join = |s: &Stretch, t: &Stretch| if t.pinched { None } else { join(s, t) };
     // Begin at a real corner, so that no run is torn at the seam.
     let start = (0..n).find(|i| join(&stretches[(i + n - 1) % n], &stretches[*i]).is_none()).unwrap_or(0);
-    let mut out: Vec<Stretch> = Vec::with_capacity(n);
-    for stretch in stretches.iter().cycle().skip(start).take(n) {
-        match out.last().and_then(|last| join(last, stretch)) {
-            Some(joined) => *out.last_mut().unwrap_or(&mut stretch.clone()) = joined,
+    out.clear();
+    for stretch in stretches[start..].iter().chain(&stretches[..start]) {
+        match out.last_mut().and_then(|last| join(last, stretch).map(|joined| (last, joined))) {
+            Some((last, joined)) => *last = joined,
             None => out.push(*stretch),
         }
     }
-    out
 }
 
 fn same_piece(s: &Stretch, t: &Stretch) -> Option<Stretch> {

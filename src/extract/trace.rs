@@ -1,67 +1,70 @@
 //! Loops of boundary half-edges, simple as far as the coordinates of their vertices go.
 
+use super::places::Places;
 use crate::arrangement::graph::{Graph, HalfEdge};
-use glam::DVec2;
-use rustc_hash::FxHashMap as HashMap;
 
-/// A simple loop of half-edges with the selection on their left, without those of length zero.
-pub struct Traced {
-    /// The connected part of the selection that the loop bounds.
-    pub component: u32,
-    /// The half-edges, end to end.
-    pub halves: Vec<HalfEdge>,
+/// Simple loops of half-edges with the selection on their left, without those of length zero.
+#[derive(Default)]
+pub struct Loops {
+    /// The half-edges, end to end, loop by loop.
+    halves: Vec<HalfEdge>,
+    /// Of each loop, the connected part of the selection that it bounds, and where its half-edges end.
+    ends: Vec<(u32, usize)>,
 }
 
-/// The points that the boundary passes through more than once.
+impl Loops {
+    /// The connected part of the selection that each loop bounds, and its half-edges.
+    pub fn iter(&self) -> impl Iterator<Item = (u32, &[HalfEdge])> {
+        let start = |i: usize| if i == 0 { 0 } else { self.ends[i - 1].1 };
+        self.ends.iter().enumerate().map(move |(i, (component, end))| (*component, &self.halves[start(i)..*end]))
+    }
+}
+
+/// The places that the boundary passes through more than once.
 pub struct Pinches {
-    passes: HashMap<(u64, u64), u32>,
+    passes: Vec<u8>,
 }
 
 impl Pinches {
     /// Those of all loops together.
-    pub fn new(graph: &Graph, loops: &[Traced]) -> Self {
-        let mut passes = HashMap::default();
-        for &half in loops.iter().flat_map(|traced| &traced.halves) {
-            *passes.entry(key(graph.points[graph.origin(half) as usize])).or_insert(0) += 1;
+    pub fn new(graph: &Graph, places: &Places, loops: &Loops) -> Self {
+        let mut passes = vec![0_u8; places.count()];
+        for &half in &loops.halves {
+            let passes = &mut passes[places.of(graph.origin(half)) as usize];
+            *passes = passes.saturating_add(1);
         }
         Self { passes }
     }
 
-    /// Whether the point is one of them.
-    pub fn contains(&self, point: DVec2) -> bool {
-        self.passes.get(&key(point)).is_some_and(|passes| *passes > 1)
+    /// Whether the place is one of them.
+    pub fn contains(&self, place: u32) -> bool {
+        self.passes[place as usize] > 1
     }
 }
 
-/// What tells points apart: no perturbation is smaller than their last bit.
-fn key(p: DVec2) -> (u64, u64) {
-    (p.x.to_bits(), p.y.to_bits())
-}
-
 /// All boundary loops of the selected faces.
-pub fn loops(graph: &Graph, selected: impl Fn([i32; 2]) -> bool) -> Vec<Traced> {
+pub fn loops(graph: &Graph, places: &Places, selected: impl Fn([i32; 2]) -> bool) -> Loops {
     let is_in: Vec<bool> = graph.windings.iter().map(|w| selected(*w)).collect();
     let inside = |half: HalfEdge| is_in[graph.face(half) as usize];
     let on_boundary = |half: HalfEdge| inside(half) && !inside(half ^ 1);
     let mut components = Components::new(graph, &is_in);
     let mut seen = vec![false; 2 * graph.edges.len()];
-    let mut out = Vec::new();
+    let mut splitter = Splitter::new(graph, places);
     for start in 0..2 * graph.edges.len() as u32 {
         if seen[start as usize] || !on_boundary(start) {
             continue;
         }
         let component = components.root(graph.face(start));
-        let mut walk = Vec::new();
         let mut half = start;
         while !std::mem::replace(&mut seen[half as usize], true) {
-            walk.push(half);
+            splitter.push(half, component);
             // Clockwise from where we came lies the inside; the next boundary edge ends this sector of it.
             let Some(next) = next_where(graph, half, on_boundary) else { break };
             half = next;
         }
-        split(graph, walk, |halves| out.push(Traced { component, halves }));
+        splitter.close(0, component);
     }
-    out
+    splitter.loops
 }
 
 /// The next of some half-edges that leaves the vertex where another arrives, clockwise. A consistent map always has one.
@@ -76,28 +79,50 @@ fn next_where(graph: &Graph, half: HalfEdge, on_boundary: impl Fn(HalfEdge) -> b
     Some(next)
 }
 
-/// Cuts a walk where it comes back to a point, and hands out the simple loops.
-fn split(graph: &Graph, walk: Vec<HalfEdge>, mut emit: impl FnMut(Vec<HalfEdge>)) {
-    let origin = |half: HalfEdge| graph.points[graph.origin(half) as usize];
-    let mut stack: Vec<HalfEdge> = Vec::new();
-    let mut depth_of: HashMap<(u64, u64), usize> = HashMap::default();
-    for half in walk {
-        let from = origin(half);
-        if from == origin(half ^ 1) {
-            continue;
-        }
-        if let Some(&depth) = depth_of.get(&key(from)) {
-            let closed = stack.split_off(depth);
-            for &h in &closed {
-                depth_of.remove(&key(origin(h)));
-            }
-            emit(closed);
-        }
-        depth_of.insert(key(from), stack.len());
-        stack.push(half);
+/// The depth of a place that a walk does not pass.
+const NOWHERE: u32 = u32::MAX;
+
+/// Cuts walks where they come back to a place.
+struct Splitter<'a> {
+    graph: &'a Graph,
+    places: &'a Places,
+    /// What is left of the walk under way, and the place where each half-edge leaves.
+    walk: Vec<(HalfEdge, u32)>,
+    /// Where the walk passes each place.
+    depth_of: Vec<u32>,
+    loops: Loops,
+}
+
+impl<'a> Splitter<'a> {
+    fn new(graph: &'a Graph, places: &'a Places) -> Self {
+        let depth_of = vec![NOWHERE; places.count()];
+        Self { graph, places, walk: Vec::new(), depth_of, loops: Loops::default() }
     }
-    if !stack.is_empty() {
-        emit(stack);
+
+    /// Goes on along a half-edge, unless it has no length.
+    fn push(&mut self, half: HalfEdge, component: u32) {
+        let [from, to] = [half, half ^ 1].map(|half| self.places.of(self.graph.origin(half)));
+        if from == to {
+            return;
+        }
+        let depth = self.depth_of[from as usize];
+        if depth != NOWHERE {
+            self.close(depth as usize, component);
+        }
+        self.depth_of[from as usize] = self.walk.len() as u32;
+        self.walk.push((half, from));
+    }
+
+    /// Makes a loop of the walk from this depth on.
+    fn close(&mut self, depth: usize, component: u32) {
+        if depth == self.walk.len() {
+            return;
+        }
+        for (half, place) in self.walk.drain(depth..) {
+            self.depth_of[place as usize] = NOWHERE;
+            self.loops.halves.push(half);
+        }
+        self.loops.ends.push((component, self.loops.halves.len()));
     }
 }
 

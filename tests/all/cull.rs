@@ -3,8 +3,9 @@
 use arcsum::arrangement::arrange;
 use arcsum::arrangement::cross::EPS;
 use arcsum::convolution::{kinetic, monotonic};
-use arcsum::cull::{Culled, cull};
+use arcsum::cull::cull;
 use arcsum::frame::Frame;
+use arcsum::part::Parts;
 use arcsum::piece::Pieces;
 use arcsum::region::{Node, Region};
 use arcsum::smooth::Smooth;
@@ -75,7 +76,7 @@ fn wrong(whole: &Pieces, left: &Pieces, seed: u64) -> (usize, usize) {
 fn winding_numbers_stay_outside_of_what_was_culled() {
     for case in (1..4).flat_map(tangled) {
         for whole in convolutions(&case) {
-            let Culled { pieces, origins } = cull(&whole).expect("worth it");
+            let Parts { pieces, origins } = cull(&whole).expect("worth it");
             assert_eq!(pieces.pieces.len(), origins.len());
             let (wrong, outside) = wrong(&whole, &pieces, 1);
             assert!(wrong == 0 && outside > 0, "{}: {wrong} wrong, {outside} outside", case.name);
@@ -89,7 +90,7 @@ fn winding_numbers_stay_outside_of_what_was_culled() {
 fn a_wrong_rim_is_noticed() {
     let case = &tangled(1)[0];
     let [whole, _] = convolutions(case);
-    let Culled { pieces, origins } = cull(&whole).expect("worth it");
+    let Parts { pieces, origins } = cull(&whole).expect("worth it");
     let (missing, heavier) = (&mut pieces.clone(), &mut pieces.clone());
     let rim = origins.iter().position(Option::is_none).expect("a rim");
     missing.pieces.remove(rim);

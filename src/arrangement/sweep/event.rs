@@ -113,12 +113,12 @@ impl<M: CrossingModule> Sweep<'_, M> {
             let at = DVec2::new(known.until, curve.y_at(known.until.min(curve.end.x)));
             self.queue.push(Reverse(Event { moment: Moment::from(at), lower: f, upper: g, asks: true }));
         }
-        match known.below {
+        match self.overruled(known, below, f, g) {
             Some(true) => {
-                self.audit.cancelled += usize::from(!below && self.refused.insert([f, g]));
+                self.audit.cancelled += usize::from(self.refused.insert([f, g]));
                 Ok(())
             }
-            Some(false) => Err(place.filter(|_| !below)),
+            Some(false) => Err(None),
             None if below => Ok(()),
             None => Err(place),
         }

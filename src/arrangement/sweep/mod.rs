@@ -63,6 +63,8 @@ pub(super) struct Sweep<'m, M> {
     /// Places whose neighbours above may be in the wrong order.
     work: Vec<Place>,
     block: Block,
+    /// Places of curves that something may be known about, while they are looked at.
+    related: Vec<Place>,
     /// Neighbours, from bottom to top, whose swap is refused.
     refused: HashSet<[u32; 2]>,
     faces: Faces,
@@ -88,8 +90,8 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
             is_ending: vec![false; curves.len()],
             work: Vec::new(),
             block: Block::default(),
+            related: Vec::new(),
             refused: HashSet::default(),
-            curves,
             vertices,
             status: Status::new(),
             queue: BinaryHeap::new(),
@@ -99,8 +101,9 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
             gap: Vec::new(),
             since: Vec::new(),
             faces: Faces::new(pieces.base),
-            graph: Graph::new(),
-            trapezoids: Vec::new(),
+            graph: Graph::with_room_for(curves.len()),
+            trapezoids: Vec::with_capacity(2 * curves.len()),
+            curves,
             audit,
         }
     }

@@ -4,7 +4,6 @@ use super::Sweep;
 use crate::arrangement::cross::CrossingModule;
 use crate::arrangement::status::{DOWN, NOWHERE, Place, UP};
 use crate::robustness::Step;
-use std::cmp::Ordering;
 
 impl<M: CrossingModule> Sweep<'_, M> {
     /// Brings the places of the ending curves together by swapping strangers out towards the nearer side. Lines among the
@@ -99,19 +98,36 @@ impl<M: CrossingModule> Sweep<'_, M> {
         if !self.robustness.takes(Step::Gather) {
             return around;
         }
-        let bounds = self.bounds(starting);
-        let block = self.status.place(ending[0]);
-        // A line cut here is taken out and goes on among those that start.
-        let is_beyond = |side: usize, order| {
-            let bound = bounds[side];
-            let is_stranger = bound != NOWHERE && !ending.contains(&self.status.curve(bound));
-            is_stranger && self.status.compare(bound, block) == order
-        };
-        match [is_beyond(DOWN, Ordering::Greater), is_beyond(UP, Ordering::Less)] {
-            [true, false] => self.move_beyond(ending, bounds[DOWN], UP, around),
-            [false, true] => self.move_beyond(ending, bounds[UP], DOWN, around),
+        match self.stray(ending, starting) {
+            [NOWHERE, NOWHERE] => around,
+            [below, NOWHERE] => self.move_beyond(ending, below, UP, around),
+            [NOWHERE, above] => self.move_beyond(ending, above, DOWN, around),
             _ => around,
         }
+    }
+
+    /// The highest curve above those that end here that is known to be below one that starts here, and the lowest one below
+    /// them that is known to be above one. A line cut here is no such curve: it is taken out and goes on among those that start.
+    fn stray(&mut self, ending: &[u32], starting: &[u32]) -> [Place; 2] {
+        let block = self.status.place(ending[0]);
+        let mut related = std::mem::take(&mut self.related);
+        let mut stray = [NOWHERE; 2];
+        for &new in starting {
+            self.active_related(new, &mut related);
+            for &place in &related {
+                let curve = self.status.curve(place);
+                let side = self.status.compare(place, block);
+                if side.is_eq() || ending.contains(&curve) || !self.is_placed(side.is_gt(), curve, new) {
+                    continue;
+                }
+                let found = &mut stray[if side.is_gt() { DOWN } else { UP }];
+                if *found == NOWHERE || self.status.compare(*found, place) == side.reverse() {
+                    *found = place;
+                }
+            }
+        }
+        self.related = related;
+        stray
     }
 
     /// Moves the ending curves up, or down, beyond the curve at a place. Lines on the way that pass through the point end
@@ -143,8 +159,9 @@ impl<M: CrossingModule> Sweep<'_, M> {
 
     fn gather_swap(&mut self, lower: Place, upper: Place) {
         self.audit.gather += 1;
-        let known = self.known(self.status.curve(lower), self.status.curve(upper));
-        self.audit.order_conflict += usize::from(known.below == Some(true));
+        let (f, g) = (self.status.curve(lower), self.status.curve(upper));
+        let conflicts = self.known(f, g).below == Some(true) && self.is_borne_out(true, f, g);
+        self.audit.order_conflict += usize::from(conflicts);
         self.swap(lower, upper, None);
     }
 }

@@ -15,12 +15,16 @@ use glam::DVec2;
 const TRUST: f64 = 256.0 / 4.0;
 
 impl<M: CrossingModule> Sweep<'_, M> {
-    /// What is known about the order of two active curves just after the current event. Where one of them is about to end it
-    /// is what is known up to there.
+    /// What is known about the order of two active curves just after the current event, whether geometry bears it out or not.
+    /// Where one of them is about to end it is what is known up to there.
     pub(super) fn known(&self, f: u32, g: u32) -> Known {
         let known = self.module.known(&self.curves[f as usize], &self.curves[g as usize], self.abscissa(f, g));
-        let until = if known.until > self.now.x { known.until } else { f64::INFINITY };
-        Known { below: known.below.filter(|below| self.is_borne_out(*below, f, g)), until, ..known }
+        Known { until: if known.until > self.now.x { known.until } else { f64::INFINITY }, ..known }
+    }
+
+    /// Whether one curve is below another as far as is known, if geometry says something else but bears it out.
+    pub(super) fn overruled(&self, known: Known, geometric: bool, f: u32, g: u32) -> Option<bool> {
+        known.below.filter(|below| *below != geometric && self.is_borne_out(*below, f, g))
     }
 
     /// The current abscissa, or the one before if one of two curves ends here and both came from there.
@@ -37,8 +41,14 @@ impl<M: CrossingModule> Sweep<'_, M> {
         self.is_borne_out(below, f, g).then_some(below)
     }
 
+    /// Whether a curve that begins is known to be above, or else below, another.
+    pub(super) fn is_placed(&self, above: bool, f: u32, g: u32) -> bool {
+        let placed = self.module.placed(&self.curves[f as usize], &self.curves[g as usize], self.now.x);
+        placed == Some(above) && self.is_borne_out(above, f, g)
+    }
+
     /// Whether one curve is below another, or not above it by more than roundings, from here to where the first of them ends.
-    fn is_borne_out(&self, below: bool, f: u32, g: u32) -> bool {
+    pub(super) fn is_borne_out(&self, below: bool, f: u32, g: u32) -> bool {
         let (lower, upper) = if below { (f, g) } else { (g, f) };
         let (lower, upper) = (&self.curves[lower as usize], &self.curves[upper as usize]);
         self.excess(lower, upper) <= TRUST * self.module.tolerance()

@@ -85,7 +85,7 @@ impl<M: CrossingModule> Sweep<'_, M> {
 
     /// Where the current point lies in the status when nothing ends there: the places around it, and the line it hits. What is
     /// known about the order of the new curves goes before distances (MS 7.1).
-    fn locate(&self, starting: &[u32]) -> ([Place; 2], Option<Place>) {
+    fn locate(&mut self, starting: &[u32]) -> ([Place; 2], Option<Place>) {
         let tolerance = self.module.tolerance();
         let bounds = self.bounds(starting);
         self.status.search(|curve| {
@@ -109,16 +109,12 @@ impl<M: CrossingModule> Sweep<'_, M> {
     }
 
     /// The highest active curve that is known to be below some curve that starts here, and the lowest one above.
-    pub(super) fn bounds(&self, starting: &[u32]) -> [Place; 2] {
-        let (mut bounds, mut related) = ([NOWHERE; 2], Vec::new());
+    fn bounds(&mut self, starting: &[u32]) -> [Place; 2] {
+        let mut related = std::mem::take(&mut self.related);
+        let mut bounds = [NOWHERE; 2];
         for &new in starting {
-            related.clear();
-            self.module.related(self.curves[new as usize].piece, self.now.x, &mut related);
-            for &piece in &related {
-                let place = self.status.place(self.curve_of[piece as usize]);
-                if place == NOWHERE {
-                    continue;
-                }
+            self.active_related(new, &mut related);
+            for &place in &related {
                 let Some(below) = self.placed(self.status.curve(place), new) else { continue };
                 let (side, further) = if below { (DOWN, Ordering::Less) } else { (UP, Ordering::Greater) };
                 if bounds[side] == NOWHERE || self.status.compare(bounds[side], place) == further {
@@ -126,7 +122,16 @@ impl<M: CrossingModule> Sweep<'_, M> {
                 }
             }
         }
+        self.related = related;
         bounds
+    }
+
+    /// The places of the active curves about whose order with one that starts here something may be known.
+    pub(super) fn active_related(&self, new: u32, found: &mut Vec<Place>) {
+        found.clear();
+        self.module.related(self.curves[new as usize].piece, self.now.x, found);
+        found.iter_mut().for_each(|piece| *piece = self.status.place(self.curve_of[*piece as usize]));
+        found.retain(|place| *place != NOWHERE);
     }
 
     /// On which side of a curve new ones go if it is not strictly between the bounds.
