@@ -78,7 +78,13 @@ pub trait CrossingModule {
         Known::NOTHING
     }
 
-    /// The same where one of the curves begins.
+    /// Whether [`CrossingModule::known`] and [`CrossingModule::placed`], wherever they are asked, say nothing about two curves but
+    /// that the first is below the second, or else above.
+    fn agrees(&self, _below: bool, _f: &Curve, _g: &Curve) -> bool {
+        true
+    }
+
+    /// What is known where one of the curves begins.
     fn placed(&self, _f: &Curve, _g: &Curve, _x: f64) -> Option<bool> {
         None
     }

@@ -111,6 +111,19 @@ const ROWS_OF: [[[usize; 3]; 6]; 6] = {
     rows
 };
 
+/// Whether some row says that the first of two kinds is below the second, and whether some row says the opposite.
+const SAYS: [[[bool; 2]; 6]; 6] = {
+    let mut says = [[[false; 2]; 6]; 6];
+    let mut row = 0;
+    while row < ROWS {
+        let (lower, upper) = (TABLE[row].0 as usize, TABLE[row].1 as usize);
+        says[lower][upper][0] = true;
+        says[upper][lower][1] = true;
+        row += 1;
+    }
+    says
+};
+
 /// A pair of turning points with the stretches where a crust runs along a moved chain.
 #[derive(Clone, Debug)]
 struct Members {
@@ -201,18 +214,27 @@ impl Order {
         }
     }
 
-    /// Whether one curve is below another just right of an abscissa, up to which both are active.
+    /// Whether nothing is known about two pieces, wherever they are, but that the first is below the second, or else above.
     #[must_use]
     #[inline]
-    pub fn known(&self, f: &Curve, g: &Curve, x: f64) -> Known {
+    pub fn agrees(&self, below: bool, f: u32, g: u32) -> bool {
         // Most neighbours have nothing to do with each other.
-        if self.marks[f.piece as usize] & self.marks[g.piece as usize] == 0 {
-            return Known::NOTHING;
-        }
-        self.known_of_related(f, g, x)
+        self.marks[f as usize] & self.marks[g as usize] == 0 || self.agrees_on_related(below, f, g)
     }
 
-    fn known_of_related(&self, f: &Curve, g: &Curve, x: f64) -> Known {
+    fn agrees_on_related(&self, below: bool, f: u32, g: u32) -> bool {
+        let (of_f, of_g) = (self.roles(f), self.roles(g));
+        let opposite = usize::from(below);
+        let objects = |(group, kind): &Role| {
+            let same = of_g.iter().filter(|(other, _)| other == group);
+            same.into_iter().any(|(_, other)| SAYS[*kind as usize][*other as usize][opposite])
+        };
+        !of_f.iter().any(objects)
+    }
+
+    /// Whether one curve is below another just right of an abscissa, up to which both are active.
+    #[must_use]
+    pub fn known(&self, f: &Curve, g: &Curve, x: f64) -> Known {
         let (of_f, of_g) = (self.roles(f.piece), self.roles(g.piece));
         if !of_f.iter().any(|(group, _)| of_g.iter().any(|(other, _)| group == other)) {
             return Known::NOTHING;

@@ -48,6 +48,10 @@ impl<M: CrossingModule> CrossingModule for Ordered<'_, M> {
         if self.robustness.takes(Step::OrderedSwaps) { self.order.known(f, g, x) } else { Known::NOTHING }
     }
 
+    fn agrees(&self, below: bool, f: &Curve, g: &Curve) -> bool {
+        self.order.agrees(below, f.piece, g.piece)
+    }
+
     fn placed(&self, f: &Curve, g: &Curve, x: f64) -> Option<bool> {
         if self.robustness.takes(Step::OrderedInsertion) { self.order.known(f, g, x).below } else { None }
     }

@@ -7,7 +7,7 @@ use crate::piece::{Piece, Pieces, Source};
 use crate::smooth::{Kind, Seg, Smooth};
 use crate::sum3::Rounding;
 use glam::DVec2;
-use rustc_hash::FxHashMap as HashMap;
+use rustc_hash::{FxBuildHasher, FxHashMap as HashMap};
 
 /// Sums of radii up to this, in the unit box, make lines: the circle is no larger than a few roundings.
 const TINY_RADIUS: f64 = 8.0 * f64::EPSILON;
@@ -75,16 +75,18 @@ impl<'a> Sums<'a> {
     #[must_use]
     pub fn new(a: &'a Smooth, b: &'a Smooth, rounding: Rounding) -> Self {
         let edges = [a, b].map(|s| s.loops.iter().flat_map(|l| &l.segs).map(|s| s.edge + 1).max().unwrap_or(0));
-        let (vertices, pieces, summands) = (HashMap::default(), Pieces::default(), Vec::new());
+        // There are as many sums at least, and seldom less than twice as many.
+        let room = 2 * [a, b].map(|s| s.points.len()).into_iter().sum::<usize>();
+        let pieces = Pieces { points: Vec::with_capacity(room), pieces: Vec::with_capacity(room), base: [0; 2] };
         Self {
             a,
             b,
             rounding,
             sites: [Sites::new(a), Sites::new(b)],
-            vertices,
+            vertices: HashMap::with_capacity_and_hasher(room, FxBuildHasher),
             edges,
             pieces,
-            summands,
+            summands: Vec::with_capacity(room),
             forward_only: false,
         }
     }

@@ -14,6 +14,7 @@
 mod grid;
 mod proof;
 mod rim;
+mod sample;
 mod walk;
 
 use crate::part::{Parts, part};
@@ -21,6 +22,7 @@ use crate::piece::{Piece, Pieces};
 use grid::{Cell, Grid};
 use proof::Proof;
 use rim::{Rims, Side};
+use sample::is_dense;
 use walk::{Step, walk};
 
 /// The winding number inside of what was culled: greater than any number of pieces that rounding may bring there.
@@ -33,7 +35,7 @@ const FEW: usize = 256;
 /// `None` if there is nothing to gain.
 #[must_use]
 pub fn cull(pieces: &Pieces) -> Option<Parts> {
-    if pieces.pieces.len() < FEW {
+    if pieces.pieces.len() < FEW || !is_dense(pieces) {
         return None;
     }
     let grid = Grid::over(pieces)?;

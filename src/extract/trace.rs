@@ -1,7 +1,7 @@
 //! Loops of boundary half-edges, simple as far as the coordinates of their vertices go.
 
 use super::places::Places;
-use crate::arrangement::graph::{Graph, HalfEdge};
+use crate::arrangement::graph::{Edge, Graph, HalfEdge};
 
 /// Simple loops of half-edges with the selection on their left, without those of length zero.
 #[derive(Default)]
@@ -45,8 +45,16 @@ impl Pinches {
 /// All boundary loops of the selected faces.
 pub fn loops(graph: &Graph, places: &Places, selected: impl Fn([i32; 2]) -> bool) -> Loops {
     let is_in: Vec<bool> = graph.windings.iter().map(|w| selected(*w)).collect();
-    let inside = |half: HalfEdge| is_in[graph.face(half) as usize];
-    let on_boundary = |half: HalfEdge| inside(half) && !inside(half ^ 1);
+    let sides = |edge: &Edge| [edge.above, edge.below].map(|face| is_in[face as usize]);
+    let is_boundary: Vec<bool> = graph
+        .edges
+        .iter()
+        .flat_map(|edge| {
+            let [above, below] = sides(edge);
+            [above && !below, below && !above]
+        })
+        .collect();
+    let on_boundary = |half: HalfEdge| is_boundary[half as usize];
     let mut components = Components::new(graph, &is_in);
     let mut seen = vec![false; 2 * graph.edges.len()];
     let mut splitter = Splitter::new(graph, places);

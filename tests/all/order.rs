@@ -233,6 +233,10 @@ impl<M: CrossingModule> CrossingModule for Curious<M> {
         Known { until: if asks { known.until.min(next) } else { known.until }, only: None, ..known }
     }
 
+    fn agrees(&self, _below: bool, _f: &Sweeped, _g: &Sweeped) -> bool {
+        false
+    }
+
     fn placed(&self, f: &Sweeped, g: &Sweeped, x: f64) -> Option<bool> {
         self.module.placed(f, g, x)
     }

@@ -3,7 +3,6 @@
 use super::Sweep;
 use crate::arrangement::cross::{CrossingModule, Crossings};
 use crate::arrangement::curve::compare;
-use crate::arrangement::known::Known;
 use crate::arrangement::moment::Moment;
 use crate::arrangement::status::{DOWN, NOWHERE, Place, UP};
 use crate::robustness::Step;
@@ -49,8 +48,8 @@ impl<M: CrossingModule> Sweep<'_, M> {
             self.joined.extend([event.lower, event.upper]);
             return;
         }
-        let known = self.known(event.lower, event.upper);
-        let asks = event.asks || known != Known::NOTHING;
+        // The upper one is about to go below.
+        let asks = event.asks || !self.agrees(false, event.lower, event.upper);
         if self.robustness.takes(Step::LateSwaps) && asks && self.settled(lower).is_ok() {
             self.audit.stale += 1;
             return;
@@ -106,6 +105,18 @@ impl<M: CrossingModule> Sweep<'_, M> {
             let place_now = (moment.at.x - now.at.x).abs() <= self.module.tolerance();
             place = place_now.then_some(moment.at);
         }
+        let ordered = if below { Ok(()) } else { Err(place) };
+        if self.agrees(below, f, g) { ordered } else { self.settled_by_knowledge(below, ordered, f, g) }
+    }
+
+    /// The same where knowledge may say something else than geometry.
+    fn settled_by_knowledge(
+        &mut self,
+        below: bool,
+        ordered: Result<(), Option<DVec2>>,
+        f: u32,
+        g: u32,
+    ) -> Result<(), Option<DVec2>> {
         let known = self.known(f, g);
         // As long as geometry says what knowledge can only confirm, the next crossing is soon enough to ask again.
         if known.until.is_finite() && known.only != Some(below) {
@@ -119,14 +130,17 @@ impl<M: CrossingModule> Sweep<'_, M> {
                 Ok(())
             }
             Some(false) => Err(None),
-            None if below => Ok(()),
-            None => Err(place),
+            None => ordered,
         }
     }
 
     /// The moment of a crossing, moved into the time when both curves are active.
     fn while_active(&self, crossing: Moment, f: u32, g: u32) -> Moment {
         let (f, g) = (&self.curves[f as usize], &self.curves[g as usize]);
+        let x = crossing.at.x;
+        if f.start.x.max(g.start.x) < x && x < f.end.x.min(g.end.x) {
+            return crossing;
+        }
         let start = if compare(f.start, g.start).is_ge() { f.start } else { g.start };
         let end = if compare(f.end, g.end).is_le() { f.end } else { g.end };
         crossing.max(Moment::from(start)).min(Moment::from(end))

@@ -15,6 +15,11 @@ use glam::DVec2;
 const TRUST: f64 = 256.0 / 4.0;
 
 impl<M: CrossingModule> Sweep<'_, M> {
+    /// Whether all that may be known about two curves is that the first is below the second, or else above.
+    pub(super) fn agrees(&self, below: bool, f: u32, g: u32) -> bool {
+        self.module.agrees(below, &self.curves[f as usize], &self.curves[g as usize])
+    }
+
     /// What is known about the order of two active curves just after the current event, whether geometry bears it out or not.
     /// Where one of them is about to end it is what is known up to there.
     pub(super) fn known(&self, f: u32, g: u32) -> Known {
@@ -43,6 +48,9 @@ impl<M: CrossingModule> Sweep<'_, M> {
 
     /// Whether a curve that begins is known to be above, or else below, another.
     pub(super) fn is_placed(&self, above: bool, f: u32, g: u32) -> bool {
+        if self.agrees(!above, f, g) {
+            return false;
+        }
         let placed = self.module.placed(&self.curves[f as usize], &self.curves[g as usize], self.now.x);
         placed == Some(above) && self.is_borne_out(above, f, g)
     }
