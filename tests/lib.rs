@@ -10,6 +10,7 @@ pub mod random;
 pub mod shapes;
 pub mod tangle;
 pub mod valid;
+pub mod winding;
 pub mod worst;
 
 use proptest::prelude::ProptestConfig;

@@ -2,79 +2,55 @@
 
 use arcsum::arrangement::arrange;
 use arcsum::arrangement::cross::EPS;
-use arcsum::convolution::{kinetic, monotonic};
 use arcsum::cull::cull;
-use arcsum::frame::Frame;
 use arcsum::part::Parts;
 use arcsum::piece::Pieces;
-use arcsum::region::{Node, Region};
-use arcsum::smooth::Smooth;
+use arcsum::region::{Curve, Node, Region};
 use arcsum::sum::{Convolution, Options, Sum, sum};
-use arcsum::sum3::Rounding;
+use arcsum::validate::validate;
 use arcsum_oracle::measure::hausdorff;
 use arcsum_oracle::polygon;
 use arcsum_reports::bridge::{plain, unit};
 use arcsum_reports::cases::Case;
 use arcsum_reports::cases::family::Family;
-use arcsum_tests::random::Random;
-use glam::DVec2;
+use arcsum_tests::winding::{before_and_after, convolutions};
 
 /// A winding number that is only found inside of what was culled.
 const INSIDE: i32 = 1 << 19;
 
 /// Pairs whose convolutions cross themselves so often that they are culled.
 fn tangled(seed: u64) -> Vec<Case> {
-    let sizes = [("star", 20), ("radial", 90), ("twoopt", 60)];
+    let sizes = [("star", 20), ("radial", 90), ("twoopt", 100)];
     let cases = |(name, size)| Family::named(name).expect("a family").cases_of_size(size, seed);
     sizes.into_iter().flat_map(cases).collect()
 }
 
-/// Both convolutions of a pair.
-fn convolutions(case: &Case) -> [Pieces; 2] {
-    let frames = Frame::pair(&case.a, &case.b);
-    let [a, b] = [(&case.a, &frames.0), (&case.b, &frames.1)].map(|(r, frame)| Smooth::new(r, frame).expect("valid"));
-    let monotonic = monotonic(&a, &b, Rounding::Correct).expect("bounded").0;
-    [kinetic(&a, &b, Rounding::Correct).expect("bounded"), monotonic]
-}
-
-/// The winding number of a point in lines; none if one of them is near.
-fn winding(pieces: &Pieces, p: DVec2) -> Option<i32> {
-    let mut winding = pieces.base[0];
-    for piece in &pieces.pieces {
-        let [from, to] = [piece.tail, piece.head].map(|v| pieces.points[v as usize]);
-        if (from.x > p.x) == (to.x > p.x) {
-            continue;
-        }
-        let y = from.y + (to.y - from.y) * ((p.x - from.x) / (to.x - from.x));
-        if (y - p.y).abs() < 1e-9 {
-            return None;
-        }
-        if y < p.y {
-            winding += if from.x < to.x { piece.weight } else { -piece.weight };
-        }
-    }
-    Some(winding)
-}
-
 /// How many of some random points have another winding number in what is left, if that is not deep inside where the
-/// convolution is positive.
+/// convolution is positive, and how many are not deep inside.
 fn wrong(whole: &Pieces, left: &Pieces, seed: u64) -> (usize, usize) {
-    let mut random = Random::new(seed);
-    let (mut wrong, mut outside) = (0, 0);
-    for _ in 0..400 {
-        let near = *random.pick(&whole.points);
-        let p = near + 0.05 * DVec2::new(random.unit() - 0.5, random.unit() - 0.5);
-        let (Some(before), Some(after)) = (winding(whole, p), winding(left, p)) else { continue };
-        let right = if after > INSIDE { before > 0 } else { before == after };
-        wrong += usize::from(!right);
-        outside += usize::from(after <= INSIDE);
-    }
-    (wrong, outside)
+    let found = before_and_after(whole, left, seed);
+    let is_wrong = |[before, after]: &&[i32; 2]| if *after > INSIDE { *before <= 0 } else { before != after };
+    let outside = found.iter().filter(|[_, after]| *after <= INSIDE);
+    (found.iter().filter(is_wrong).count(), outside.count())
 }
 
+/// A pair with slightly bent edges, outwards and inwards by turns.
+fn bent(case: Case) -> Case {
+    let node = |(i, node): (usize, &Node)| Node { curve: Curve::Bulge(if i % 2 == 0 { 0.02 } else { -0.02 }), ..*node };
+    let region = |region: &Region| {
+        let loops = region.loops.iter().map(|corners| corners.iter().enumerate().map(node).collect()).collect();
+        let bent = Region { loops, ..region.clone() };
+        validate(&bent).expect("valid");
+        bent
+    };
+    Case { a: region(&case.a), b: region(&case.b), ..case }
+}
+
+/// Lines, and circle segments of both kinds.
 #[test]
 fn winding_numbers_stay_outside_of_what_was_culled() {
-    for case in (1..4).flat_map(tangled) {
+    let stars = Family::named("star").expect("a family").cases_of_size(25, 1);
+    for case in (1..4).flat_map(tangled).chain(stars.into_iter().map(bent)) {
         for whole in convolutions(&case) {
             let Parts { pieces, origins } = cull(&whole).expect("worth it");
             assert_eq!(pieces.pieces.len(), origins.len());

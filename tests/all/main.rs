@@ -4,6 +4,7 @@ mod angles;
 mod arcs;
 mod arrangement;
 mod boolean_exact;
+mod coincide;
 mod convex;
 mod convolution;
 mod crossing;
