@@ -15,6 +15,7 @@ pub mod convolve;
 pub mod cover;
 pub mod curves;
 pub mod decompose;
+pub mod disc;
 pub mod enclose;
 pub mod error;
 pub mod farthest;
