@@ -95,7 +95,7 @@ pub struct Row {
     /// Places and points at which a result was looked at whose exact sum is too large.
     #[serde(default)]
     pub samples: Option<u64>,
-    /// Of these, places without a certificate and places that prove an error of more than 2^-45.
+    /// Of these, places without a certificate of 2^-45, and places and points that prove an error above that.
     #[serde(default)]
     pub samples_failed: Option<u64>,
     /// Greatest certified distance of the boundaries of result and sum among the samples.

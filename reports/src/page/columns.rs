@@ -58,7 +58,7 @@ pub const COLUMNS: [Column; 54] = [
     ),
     length("separation_hi", Toward::Up, "upper bound of it"),
     column("samples", "places and points at which a result was looked at whose exact sum is too large"),
-    column("samples_failed", "of these, without a certificate, or proving an error of more than 2^-45"),
+    column("samples_failed", "of these, without a certificate of 2^-45, or proving an error above that"),
     length(
         "sampled_mu",
         Toward::Up,
