@@ -16,8 +16,15 @@ mod shim {
     use std::path::{Path, PathBuf};
 
     /// Each is heavy to compile and instantiates what no other one does.
-    const FILES: [&str; 6] =
-        ["circles", "decompose_exact", "convolve_exact", "convolve_inexact", "convolve_rational", "shim"];
+    const FILES: [&str; 7] = [
+        "circles",
+        "decompose_exact",
+        "convolve_exact",
+        "convolve_inexact",
+        "convolve_rational",
+        "offset_exact",
+        "shim",
+    ];
 
     pub fn build() {
         let version = Path::new("/usr/include/CGAL/version.h");

@@ -23,6 +23,19 @@ pub fn plain(region: &Region) -> PlainRegion {
     }
 }
 
+/// The region as the engine takes it.
+#[must_use]
+pub fn region(plain: &PlainRegion) -> Region {
+    let curve = |bend| match bend {
+        Bend::Line => Curve::Line,
+        Bend::Radius(r) => Curve::Radius(r),
+        Bend::Bulge(b) => Curve::Bulge(b),
+    };
+    let node = |c: &Corner| Node { x: c.x, y: c.y, curve: curve(c.bend) };
+    let loops = plain.loops.iter().map(|l| l.iter().map(node).collect()).collect();
+    Region { loops, unbounded: plain.unbounded, ..Region::default() }
+}
+
 /// The side of the unit box in input units: the power of two that brings the larger side of the larger bounding box of
 /// the operands into (1/2, 1].
 #[must_use]

@@ -21,6 +21,8 @@ pub enum Status {
     Invalid,
     /// An answer whose error has no certificate, or none tight enough to call.
     Undecided,
+    /// An answer too large for the reference, certified at samples only.
+    Sampled,
 }
 
 /// A row of `results.csv`. Lengths are in unit-box lengths, times in milliseconds.
@@ -90,6 +92,18 @@ pub struct Row {
     /// Certified upper bound of it.
     #[serde(default, with = "number")]
     pub separation_hi: Option<f64>,
+    /// Places and points at which a result was looked at whose exact sum is too large.
+    #[serde(default)]
+    pub samples: Option<u64>,
+    /// Of these, places without a certificate of 2^-45, and places and points that prove an error above that.
+    #[serde(default)]
+    pub samples_failed: Option<u64>,
+    /// Greatest certified distance of the boundaries of result and sum among the samples.
+    #[serde(default, with = "number")]
+    pub sampled_mu: Option<f64>,
+    /// Greatest lower bound of mu that a sample proves.
+    #[serde(default, with = "number")]
+    pub sampled_lo: Option<f64>,
     /// Segments of A.
     pub n: u64,
     /// Segments of B.

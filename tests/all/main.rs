@@ -3,6 +3,7 @@
 mod angles;
 mod arcs;
 mod arrangement;
+mod boolean_arcs;
 mod boolean_exact;
 mod coincide;
 mod convex;

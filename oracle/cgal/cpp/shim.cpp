@@ -74,6 +74,10 @@ char* arcsum_cgal_offset(const char* region, const char* radius, double error) {
   return answered([&] { return offset(region, outer_loop(region), radius, error); });
 }
 
+char* arcsum_cgal_offset_exact(const char* region, const char* radius) {
+  return answered([&] { return offset_exact(region, outer_loop(region), radius); });
+}
+
 char* arcsum_cgal_combine(int operation, const char* a, const char* b) {
   return answered([&] {
     if (operation < UNION || operation > SYMMETRIC_DIFFERENCE) throw Refusal("no such operation");

@@ -23,10 +23,14 @@ char* arcsum_cgal_sum(int strategy, int kernel, const char* a, const char* b);
 // the exact offset is at most the error.
 char* arcsum_cgal_offset(const char* region, const char* radius, double error);
 
+// The same without an error. A vertex of the result is x dx y dy, each coordinate at most d off, followed by the way to the
+// next one: l for a line, + CX CY RR or - CX CY RR for a circle segment of a squared radius.
+char* arcsum_cgal_offset_exact(const char* region, const char* radius);
+
 // A set operation, by its number below, on two regions of line and circle segments. A vertex is x y followed by the way to
 // the next one: l for a line, + CX CY or - CX CY for a circle segment about a centre, counter-clockwise or clockwise.
-// Results of this function and the last have three numbers p q r for a coordinate p + q sqrt(r), and the squared radius
-// behind each centre.
+// Results of this function and of the offset with an error have three numbers p q r for a coordinate p + q sqrt(r), and
+// the squared radius behind each centre.
 char* arcsum_cgal_combine(int operation, const char* a, const char* b);
 
 // Frees an answer; none is freed without harm.

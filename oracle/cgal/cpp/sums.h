@@ -39,7 +39,8 @@ std::string convolve_rational(Strategy strategy, const Operands& of);
 std::string convolve_inexact(Strategy strategy, const Operands& of);
 std::string decompose_exact(Strategy strategy, const Operands& of);
 
-// An offset, and a set operation.
+// Offsets, and a set operation.
+std::string offset_exact(const std::string& of, std::size_t outer, const std::string& radius);
 std::string offset(const std::string& of, std::size_t outer, const std::string& radius, double error);
 std::string combine(Operation operation, const std::string& a, const std::string& b);
 

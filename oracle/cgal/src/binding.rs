@@ -1,9 +1,9 @@
 //! The C ABI of the shim: the only place with unsafe code.
 
 #[cfg(cgal_found)]
-pub use found::{combine, offset, sum, version};
+pub use found::{combine, offset, offset_exact, sum, version};
 #[cfg(not(cgal_found))]
-pub use missing::{combine, offset, sum, version};
+pub use missing::{combine, offset, offset_exact, sum, version};
 
 /// Whether CGAL is built in.
 #[must_use]
@@ -23,6 +23,7 @@ mod found {
         fn arcsum_cgal_version() -> *const c_char;
         fn arcsum_cgal_sum(strategy: c_int, kernel: c_int, a: *const c_char, b: *const c_char) -> *mut c_char;
         fn arcsum_cgal_offset(region: *const c_char, radius: *const c_char, error: f64) -> *mut c_char;
+        fn arcsum_cgal_offset_exact(region: *const c_char, radius: *const c_char) -> *mut c_char;
         fn arcsum_cgal_combine(operation: c_int, a: *const c_char, b: *const c_char) -> *mut c_char;
         fn arcsum_cgal_free(answer: *mut c_char);
     }
@@ -48,6 +49,13 @@ mod found {
         let (region, radius) = (owned(region)?, owned(radius)?);
         // SAFETY: as for sums.
         taken(unsafe { arcsum_cgal_offset(region.as_ptr(), radius.as_ptr(), error) })
+    }
+
+    /// The text of the exact offset of a region by a disc.
+    pub fn offset_exact(region: &str, radius: &str) -> Result<String, CgalError> {
+        let (region, radius) = (owned(region)?, owned(radius)?);
+        // SAFETY: as for sums.
+        taken(unsafe { arcsum_cgal_offset_exact(region.as_ptr(), radius.as_ptr()) })
     }
 
     /// The text of a set operation on two regions of line and circle segments.
@@ -89,6 +97,11 @@ mod missing {
 
     /// No offset.
     pub fn offset(_: &str, _: &str, _: f64) -> Result<String, CgalError> {
+        Err(CgalError::NotBuiltIn)
+    }
+
+    /// No offset.
+    pub fn offset_exact(_: &str, _: &str) -> Result<String, CgalError> {
         Err(CgalError::NotBuiltIn)
     }
 

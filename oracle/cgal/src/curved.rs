@@ -1,12 +1,14 @@
 //! Regions of line and circle segments: offsets of polygons by a disc, and set operations. CGAL computes both exactly with
 //! coordinates p + q sqrt(r), centres and squared radii that are rational; of an offset, the lines are approximated.
 
+use crate::bulge::bulge;
 use crate::error::CgalError;
 use crate::question::{Question, points, result};
 use crate::text::{self, Loops, nonsense, number};
 use arcsum_oracle::boolean::Operation;
-use arcsum_oracle::plain::{Bend, PlainRegion};
+use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
 use arcsum_oracle::point::Point;
+use arcsum_oracle::region::ring_edges;
 use rug::{Float, Rational};
 use std::fmt::Write;
 use std::time::Duration;
@@ -49,8 +51,12 @@ impl Coordinate {
     /// The value, p and q sqrt(r) computed to 256 bits.
     #[must_use]
     pub fn to_f64(&self) -> f64 {
+        self.to_float().to_f64()
+    }
+
+    fn to_float(&self) -> Float {
         let [p, q, r] = self.0.each_ref().map(|part| Float::with_val(256, part));
-        (p + q * r.sqrt()).to_f64()
+        p + q * r.sqrt()
     }
 }
 
@@ -90,6 +96,25 @@ impl Curved {
         let edges =
             |ring: &[Edge]| -> f64 { (0..ring.len()).map(|i| under(&ring[i], &ring[(i + 1) % ring.len()])).sum() };
         self.loops.iter().map(|ring| edges(ring)).sum()
+    }
+
+    /// The region with vertices and bulges rounded to the nearest doubles.
+    #[must_use]
+    pub fn to_plain(&self) -> PlainRegion {
+        let loops = self.loops.iter().map(|ring| ring_edges(ring).map(|(edge, next)| edge.corner(next)).collect());
+        PlainRegion { loops: loops.collect(), unbounded: false }
+    }
+}
+
+impl Edge {
+    /// Its tail with the way to the next edge, in doubles.
+    fn corner(&self, next: &Self) -> Corner {
+        let [[x, y], [u, v]] = [self, next].map(|edge| edge.tail.each_ref().map(Coordinate::to_float));
+        let bend = self.circle.as_ref().map_or(Bend::Line, |circle| {
+            let [cx, cy] = [&circle.centre.x, &circle.centre.y].map(|c| Float::with_val(256, c));
+            Bend::Bulge(bulge([&cx, &cy], [&x, &y], [&u, &v], circle.left))
+        });
+        Corner { x: x.to_f64(), y: y.to_f64(), bend }
     }
 }
 

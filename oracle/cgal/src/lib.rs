@@ -5,10 +5,12 @@
 //! in this process by [`question::Question::ask`], or by [`child::Child`] in another one, for CGAL can end a process.
 
 mod binding;
+pub mod bulge;
 pub mod child;
 pub mod curved;
 pub mod error;
 pub mod method;
+pub mod offset;
 pub mod question;
 pub mod sum;
 mod text;

@@ -38,6 +38,7 @@ pub(crate) fn respond(line: &str) -> Result<String, CgalError> {
         ["offset", error, radius, region] => {
             binding::offset(region, radius, error.parse().map_err(|_| refused("error"))?)
         }
+        ["offset-exact", radius, region] => binding::offset_exact(region, radius),
         ["combine", operation, a, b] => {
             let known = Operation::ALL.into_iter().find(|known| format!("{known:?}") == operation);
             binding::combine(known.ok_or_else(|| refused(operation))?, a, b)

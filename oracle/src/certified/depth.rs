@@ -13,7 +13,6 @@
 use std::sync::Arc;
 
 use rug::Rational;
-use rug::float::Round;
 
 use super::curve::Curve;
 use super::membership::{Membership, State};
@@ -214,15 +213,10 @@ fn mirrored(curve: &Arc<Curve>, t: &Spot) -> Arc<Curve> {
 /// The line between two points.
 fn line(ends: [[Rational; 2]; 2]) -> Curve {
     Curve::new(move |precision| {
-        let [from, to] = ends.each_ref().map(|[x, y]| Vector { x: real(x, precision), y: real(y, precision) });
+        let [from, to] =
+            ends.each_ref().map(|[x, y]| Vector { x: Real::rational(x, precision), y: Real::rational(y, precision) });
         Piece { from, to, circle: None }
     })
-}
-
-/// A rational number known to a precision.
-fn real(exact: &Rational, precision: Precision) -> Real {
-    let round = |way| rug::Float::with_val_round(precision.bits(), exact, way).0;
-    Real::Long(Box::new([round(Round::Down), round(Round::Up)])).rounded(precision)
 }
 
 /// The lesser of the width of a trapezoid and its height half way (MS 8).

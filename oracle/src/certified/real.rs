@@ -5,9 +5,9 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use rug::Float;
 use rug::float::Round;
 use rug::ops::{AddAssignRound, DivAssignRound, MulAssignRound, SubAssignRound};
+use rug::{Float, Rational};
 
 use super::precision::Precision;
 use crate::interval::Interval;
@@ -30,6 +30,13 @@ impl Real {
         }
         let float = Float::with_val(precision.bits(), x);
         Self::Long(Box::new([float.clone(), float]))
+    }
+
+    /// A rational number known to a precision.
+    #[must_use]
+    pub fn rational(exact: &Rational, precision: Precision) -> Self {
+        let round = |way| Float::with_val_round(precision.bits(), exact, way).0;
+        Self::Long(Box::new([round(Round::Down), round(Round::Up)])).rounded(precision)
     }
 
     /// The greatest double not above any number inside.

@@ -129,7 +129,7 @@ impl Reference {
 }
 
 /// The region in units of `unit`, a power of two.
-pub(super) fn scaled(region: &PlainRegion, unit: f64) -> Result<PlainRegion, OracleError> {
+pub(crate) fn scaled(region: &PlainRegion, unit: f64) -> Result<PlainRegion, OracleError> {
     let mut result = region.clone();
     for (ring, corners) in result.loops.iter_mut().enumerate() {
         for (vertex, corner) in corners.iter_mut().enumerate() {

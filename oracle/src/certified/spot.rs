@@ -6,6 +6,8 @@ use std::sync::Arc;
 use super::precision::Precision;
 use super::real::Real;
 use super::vector::Vector;
+use crate::point::Point;
+use rug::Rational;
 
 /// Intervals of doubles this short are as good as any: coordinates are about 1.
 const SHORT: f64 = 1e-12;
@@ -29,6 +31,13 @@ impl Spot {
     #[must_use]
     pub fn exact(x: f64, y: f64) -> Self {
         Self::new(move |p| Vector::new(x, y, p))
+    }
+
+    /// The point of these two rational numbers.
+    #[must_use]
+    pub fn rational(point: &Point<Rational>) -> Self {
+        let Point { x, y } = point.clone();
+        Self::new(move |p| Vector { x: Real::rational(&x, p), y: Real::rational(&y, p) })
     }
 
     /// The point in intervals of doubles, computed as finely as it takes to make them short: a direction within it may not

@@ -16,6 +16,7 @@ mod laws;
 mod measure;
 mod meet;
 mod membership;
+mod overlap;
 mod planted;
 mod same_sum;
 mod separation;

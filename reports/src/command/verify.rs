@@ -7,6 +7,7 @@ use super::{Failure, INTERRUPTED, RunArgs, interrupt};
 use crate::cases::Case;
 use crate::cases::source::collect;
 use crate::environment::{Environment, processors};
+use crate::judge::samples::{DEFAULT, Sampling};
 use crate::run::folder::write_json;
 use crate::run::journal::JournalError;
 use crate::run::plan::Plan;
@@ -25,6 +26,12 @@ pub struct VerifyArgs {
     /// Leave out cases whose operands have more segments together.
     #[arg(long)]
     max_segments: Option<usize>,
+    /// Certify cases too large for the reference at so many places each way, 200 if no number is given.
+    #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "200", value_parser = clap::value_parser!(u32).range(1..))]
+    samples: Option<u32>,
+    /// Sample all cases; no reference is asked.
+    #[arg(long)]
+    sample_all: bool,
     #[command(flatten)]
     run: RunArgs,
 }
@@ -43,7 +50,9 @@ pub fn verify(args: &VerifyArgs) -> Result<u8, Failure> {
     if cases.is_empty() {
         return Err(Failure::input("no case is left to be measured"));
     }
-    let plan = Plan::new(cases, &args.engines).map_err(Failure::input)?;
+    let mut plan = Plan::new(cases, &args.engines).map_err(Failure::input)?;
+    let count = args.samples.or(args.sample_all.then_some(DEFAULT));
+    plan.sampling = count.map(|count| Sampling { count, all: args.sample_all });
     let summary = measure(&plan, &args.run)?;
     match (summary.interrupted, found.bad.is_empty()) {
         (true, _) => Ok(INTERRUPTED),

@@ -19,7 +19,7 @@ use std::time::Duration;
 pub const COMMAND: &str = "cgal";
 
 /// Whoever measures has a shorter limit; this one is for those who have none.
-const LIMIT: Duration = Duration::from_secs(600);
+pub(super) const LIMIT: Duration = Duration::from_secs(600);
 
 /// CGAL by one method.
 #[derive(Debug)]
@@ -88,16 +88,21 @@ impl Engine for Cgal {
 
     fn abilities(&self) -> Abilities {
         let holes = self.method.strategy().takes_holes();
-        Abilities { arcs: false, holes, unbounded: false, pieces: false }
+        Abilities { arcs: false, holes, unbounded: false, pieces: false, discs_only: false }
     }
 
     fn sum(&mut self, a: &Region, b: &Region) -> Result<Answer, EngineError> {
-        self.asked(a, b).map_err(|error| match error {
-            CgalError::NotBuiltIn | CgalError::Refused(_) | CgalError::Nonsense(_) => {
-                EngineError::Invalid(error.to_string())
-            }
-            CgalError::Failed(_) | CgalError::Died(_) | CgalError::Late(_) => EngineError::Crashed(error.to_string()),
-        })
+        self.asked(a, b).map_err(refusal)
+    }
+}
+
+/// CGAL's error as the engine's.
+pub(super) fn refusal(error: CgalError) -> EngineError {
+    match error {
+        CgalError::NotBuiltIn | CgalError::Refused(_) | CgalError::Nonsense(_) => {
+            EngineError::Invalid(error.to_string())
+        }
+        CgalError::Failed(_) | CgalError::Died(_) | CgalError::Late(_) => EngineError::Crashed(error.to_string()),
     }
 }
 

@@ -4,11 +4,14 @@ pub mod cells;
 pub mod cgal;
 pub mod command;
 pub mod corners;
+pub mod offset;
 pub mod own;
 pub mod peer;
 pub mod registry;
 
+use crate::bridge::plain;
 use arcsum::region::Region;
+use arcsum_oracle::disc::Disc;
 use serde::{Deserialize, Serialize};
 use std::time::Duration;
 
@@ -23,15 +26,22 @@ pub struct Abilities {
     pub unbounded: bool,
     /// Regions of several pieces.
     pub pieces: bool,
+    /// It takes only cases with one operand a disc; the words above then say what the other one may be.
+    pub discs_only: bool,
 }
 
 impl Abilities {
     /// Everything a case can ask for.
-    pub const ALL: Self = Self { arcs: true, holes: true, unbounded: true, pieces: true };
+    pub const ALL: Self = Self { arcs: true, holes: true, unbounded: true, pieces: true, discs_only: false };
 
     /// Whether this suffices for the sum of the two.
     #[must_use]
     pub fn cover(self, a: &Region, b: &Region) -> bool {
+        if self.discs_only {
+            let others = Self { discs_only: false, ..self };
+            let fits = |disc: &Region, other: &Region| Disc::of(&plain(disc)).is_some() && others.cover(other, other);
+            return fits(a, b) || fits(b, a);
+        }
         let both = |able: fn(&Region) -> bool| able(a) && able(b);
         (self.arcs || both(Region::is_polygonal))
             && (self.unbounded || both(|r| !r.unbounded))

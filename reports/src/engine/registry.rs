@@ -2,6 +2,7 @@
 
 use super::cgal::Cgal;
 use super::command::Program;
+use super::offset::{self, Offset};
 use super::own::Own;
 use super::peer::{FEATURES, Peer};
 use super::{Abilities, Engine};
@@ -25,7 +26,7 @@ pub const CONVEX: &[&str] = &["convex"];
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("no engine is called {0}; there are {known}, the first two also with -without-{steps}, cmd:PROGRAM, {cgal}, and, with the cargo features {features}, those of others{peers}",
     known = [BUILT_IN, CULLED, NAIVE, HEURISTIC, CONVEX].concat().join(", "), steps = arcsum::robustness::Step::ALL.map(|(_, name)| name).join("|"),
-    cgal = Cgal::names().join(", "), features = FEATURES.join(", "), peers = in_brackets(&Peer::names()))]
+    cgal = [Cgal::names(), offset::NAMES.map(str::to_owned).to_vec()].concat().join(", "), features = FEATURES.join(", "), peers = in_brackets(&Peer::names()))]
 pub struct NoSuchEngine(pub String);
 
 /// Names in brackets after a space, or nothing.
@@ -43,6 +44,9 @@ pub fn engine(name: &str) -> Result<Box<dyn Engine>, NoSuchEngine> {
     }
     if let Some(cgal) = Cgal::named(name) {
         return Ok(Box::new(cgal));
+    }
+    if let Some(offset) = Offset::named(name) {
+        return Ok(Box::new(offset));
     }
     if let Some(peer) = Peer::named(name) {
         return Ok(Box::new(peer));

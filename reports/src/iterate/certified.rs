@@ -31,7 +31,7 @@ impl<'a> Certified<'a> {
             seed: None,
             golden: None,
         };
-        let task = Task { case, engine: "none".into(), claim: Some(step.after.clone()) };
+        let task = Task { case, engine: "none".into(), claim: Some(step.after.clone()), sampling: None };
         let outcome = self.worker.measure(&task, self.stop)?;
         if let Some((_, note)) = outcome.failure {
             return Ok(Err(note));

@@ -7,6 +7,7 @@ mod places;
 pub mod polygon;
 mod realized;
 pub mod result;
+pub mod samples;
 pub mod separation;
 pub mod why;
 
@@ -18,12 +19,13 @@ use crate::row::{Status, number};
 use arcsum_oracle::certified::depth::{Depths, Summed};
 use arcsum_oracle::error::OracleError;
 use arcsum_oracle::measure::{Bracket, Direction};
+use samples::Sampling;
 use serde::{Deserialize, Serialize};
 
 /// What the references found out about an answer.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Judgement {
-    /// Ok, or undecided.
+    /// Ok, undecided, or sampled.
     pub status: Status,
     /// Lower bound of the Hausdorff distance, in unit-box lengths.
     #[serde(default, with = "number")]
@@ -55,6 +57,9 @@ pub struct Judgement {
     /// How far apart chains of the operands are that are not incident.
     #[serde(default)]
     pub separation: Option<separation::Separation>,
+    /// What samples of the result say, where it was sampled.
+    #[serde(default)]
+    pub sampled: Option<samples::Sampled>,
 }
 
 impl Judgement {
@@ -75,6 +80,7 @@ impl Judgement {
             golden: None,
             free: None,
             separation: None,
+            sampled: None,
         }
     }
 
@@ -116,12 +122,32 @@ impl Judgement {
 /// Judges the answer of an engine to a case.
 #[must_use]
 pub fn judge(case: &Case, engine: &str, answer: &Answer) -> Judgement {
-    let mut judgement =
-        if case.is_polygonal() { polygon::judge(case, engine, answer) } else { arcs::judge(case, answer) };
+    judge_or_sample(case, engine, answer, None)
+}
+
+/// The same, and what the reference declines is sampled, or everything, if this is asked for.
+#[must_use]
+pub fn judge_or_sample(case: &Case, engine: &str, answer: &Answer, sampling: Option<Sampling>) -> Judgement {
+    let mut judgement = by_reference(case, engine, answer, sampling);
     if BUILT_IN.contains(&engine) && judgement.status == Status::Ok {
         judgement.mu_realized = realized::measure(case, answer).map(|found| [found.lo, found.hi]);
     }
-    judgement.separation = separation::measure(case).ok();
+    if judgement.status != Status::Sampled {
+        judgement.separation = separation::measure(case).ok();
+    }
     judgement.failed_checks.extend(result::failed_checks(&answer.region));
     judgement
+}
+
+/// What the reference says, or samples in its place.
+fn by_reference(case: &Case, engine: &str, answer: &Answer, sampling: Option<Sampling>) -> Judgement {
+    if let Some(Sampling { count, all: true }) = sampling {
+        return samples::judge(case, answer, count);
+    }
+    let judged = if case.is_polygonal() { polygon::judge(case, engine, answer) } else { arcs::judge(case, answer) };
+    match (judged, sampling) {
+        (Ok(judgement), _) => judgement,
+        (Err(OracleError::TooCostly { .. }), Some(sampling)) => samples::judge(case, answer, sampling.count),
+        (Err(error), _) => Judgement::undecided(error.to_string()),
+    }
 }

@@ -10,11 +10,7 @@ use arcsum_oracle::measure::hausdorff;
 use arcsum_oracle::polygon;
 
 /// Judges the answer to a case of two polygons.
-pub(super) fn judge(case: &Case, engine: &str, answer: &Answer) -> Judgement {
-    measured(case, engine, answer).unwrap_or_else(|e| Judgement::undecided(e.to_string()))
-}
-
-fn measured(case: &Case, engine: &str, answer: &Answer) -> Result<Judgement, OracleError> {
+pub(super) fn judge(case: &Case, engine: &str, answer: &Answer) -> Result<Judgement, OracleError> {
     let exact = polygon::sum(&plain(&case.a), &plain(&case.b))?;
     let unit = unit(&case.a, &case.b);
     let bracket = hausdorff(&plain(&answer.region), &exact, unit)?;

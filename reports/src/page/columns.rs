@@ -22,12 +22,12 @@ const fn length(name: &'static str, toward: Toward, meaning: &'static str) -> Co
 }
 
 /// All columns of a row; lengths in unit-box lengths and times in milliseconds unless they say otherwise.
-pub const COLUMNS: [Column; 50] = [
+pub const COLUMNS: [Column; 54] = [
     column("case", "the pair of regions"),
     column("family", "the family or folder it belongs to"),
     column("engine", "the engine under test"),
     column("engine_version", "its version"),
-    column("status", "ok, undecided, invalid, timeout or crashed"),
+    column("status", "ok, sampled, undecided, invalid, timeout or crashed"),
     column("seed", "what the case was made from; empty for cases from files"),
     length("mu_lo", Toward::Down, "certified lower bound of the error mu"),
     length("mu_hi", Toward::Up, "certified upper bound of the error mu"),
@@ -57,6 +57,14 @@ pub const COLUMNS: [Column; 50] = [
         "lower bound of the least distance of chains of A, or of B, that are not incident; inf without such",
     ),
     length("separation_hi", Toward::Up, "upper bound of it"),
+    column("samples", "places and points at which a result was looked at whose exact sum is too large"),
+    column("samples_failed", "of these, without a certificate of 2^-45, or proving an error above that"),
+    length(
+        "sampled_mu",
+        Toward::Up,
+        "greatest certified distance of the boundaries of result and sum among the samples",
+    ),
+    length("sampled_lo", Toward::Down, "greatest lower bound of mu that a sample proves"),
     column("n", "segments of A"),
     column("m", "segments of B"),
     column("sums", "segments of the convolution"),

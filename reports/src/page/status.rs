@@ -3,12 +3,14 @@
 use crate::row::Status;
 
 /// All statuses, good first.
-pub const ALL: [Status; 5] = [Status::Ok, Status::Undecided, Status::Invalid, Status::Timeout, Status::Crashed];
+pub const ALL: [Status; 6] =
+    [Status::Ok, Status::Sampled, Status::Undecided, Status::Invalid, Status::Timeout, Status::Crashed];
 
 /// The name as `results.csv` has it; also the class that colours it.
 pub fn name(status: Status) -> &'static str {
     match status {
         Status::Ok => "ok",
+        Status::Sampled => "sampled",
         Status::Undecided => "undecided",
         Status::Invalid => "invalid",
         Status::Timeout => "timeout",

@@ -66,7 +66,7 @@ fn every_status_is_counted() {
         )
     );
     assert!(kinetic.contains("badge crashed") && kinetic.contains("badge timeout"));
-    assert_eq!(kinetic.matches("<span class=\"quiet\">0</span>").count(), 2);
+    assert_eq!(kinetic.matches("<span class=\"quiet\">0</span>").count(), 3);
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use crate::cases::Case;
 use crate::cases::rng::fnv;
 use crate::engine::registry::{Facts, NoSuchEngine, facts};
+use crate::judge::samples::Sampling;
 
 /// Everything that decides the results of a run, times and time limits aside.
 #[derive(Debug)]
@@ -13,6 +14,8 @@ pub struct Plan {
     pub engines: Vec<Facts>,
     /// The jobs: a case and an engine that can do it, by index.
     pub jobs: Vec<Job>,
+    /// Whether and how often results are sampled.
+    pub sampling: Option<Sampling>,
 }
 
 /// A row to be.
@@ -36,7 +39,7 @@ impl Plan {
             able.map(move |(engine, _)| Job { case, engine }).collect::<Vec<_>>()
         });
         let jobs = jobs.collect();
-        Ok(Self { cases, engines, jobs })
+        Ok(Self { cases, engines, jobs, sampling: None })
     }
 
     /// A text that differs between plans: the number of jobs and a hash over cases and engines.
@@ -45,7 +48,8 @@ impl Plan {
         let engines = self.engines.iter().map(|e| format!("{} {}\n", e.name, e.version));
         // Debug prints doubles so that they read back: plans with different coordinates differ.
         let cases = self.cases.iter().map(|c| format!("{c:?}\n"));
-        let hash = engines.chain(cases).fold(0_u64, |h, text| h.rotate_left(7) ^ fnv(&text));
+        let sampling = self.sampling.iter().map(|s| format!("{s:?}\n"));
+        let hash = engines.chain(cases).chain(sampling).fold(0_u64, |h, text| h.rotate_left(7) ^ fnv(&text));
         format!("{} rows, {hash:016x}", self.jobs.len())
     }
 }

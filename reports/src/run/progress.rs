@@ -38,8 +38,11 @@ impl Progress {
             bar.finish_and_clear();
         }
         let count = |s: Status| rows.iter().filter(|r| r.status == s).count();
-        let counts = [Status::Ok, Status::Crashed, Status::Timeout, Status::Invalid, Status::Undecided];
-        let parts: Vec<String> = counts.iter().map(|&s| format!("{} {}", count(s), word(s))).collect();
+        let counts =
+            [Status::Ok, Status::Crashed, Status::Timeout, Status::Invalid, Status::Undecided, Status::Sampled];
+        // Few runs sample.
+        let told = |s: &&Status| **s != Status::Sampled || count(**s) > 0;
+        let parts: Vec<String> = counts.iter().filter(told).map(|&s| format!("{} {}", count(s), word(s))).collect();
         eprintln!("{} of {} rows: {}", rows.len(), self.total, parts.join(", "));
     }
 }
@@ -70,5 +73,6 @@ pub fn word(status: Status) -> &'static str {
         Status::Timeout => "timeout",
         Status::Invalid => "invalid",
         Status::Undecided => "undecided",
+        Status::Sampled => "sampled",
     }
 }

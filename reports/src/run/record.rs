@@ -81,6 +81,10 @@ fn enter_judgement(row: &mut Row, judgement: &Judgement) {
     }
     let separation = judgement.separation.unwrap_or_default();
     (row.separation_lo, row.separation_hi) = (separation.lo, separation.hi);
+    if let Some(sampled) = &judgement.sampled {
+        (row.samples, row.samples_failed) = (Some(sampled.samples), Some(sampled.failed));
+        (row.sampled_mu, row.sampled_lo) = (Some(sampled.near), sampled.far);
+    }
     row.note = judgement.note.clone();
     let engines = row.failed_checks.take().filter(|w| w != "none");
     let own = engines.as_deref().unwrap_or_default().split_whitespace().map(str::to_owned);
@@ -123,6 +127,10 @@ fn blank(case: &Case, engine: &Facts) -> Row {
         falsely_blocked: None,
         separation_lo: None,
         separation_hi: None,
+        samples: None,
+        samples_failed: None,
+        sampled_mu: None,
+        sampled_lo: None,
         n: case.a.segments() as u64,
         m: case.b.segments() as u64,
         sums: None,

@@ -90,7 +90,7 @@ pub(super) fn keep(plan: &Plan, folder: &Folder, rows: &[Row]) -> Result<(), Fol
 /// Whether a row shows something wrong: not ok, or a failed check. A reference that gave up shows nothing.
 fn failed(row: &Row) -> bool {
     let checked = row.failed_checks.as_deref().is_none_or(|c| c == "none");
-    !checked || !matches!(row.status, Status::Ok | Status::Undecided)
+    !checked || !matches!(row.status, Status::Ok | Status::Undecided | Status::Sampled)
 }
 
 fn failure(row: &Row) -> String {

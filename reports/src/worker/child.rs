@@ -6,7 +6,7 @@
 use super::{Message, Task};
 use crate::engine::registry::engine;
 use crate::engine::{Answer, Engine, EngineError};
-use crate::judge::{judge, result};
+use crate::judge::{judge_or_sample, result};
 use crate::row::Status;
 use rustix::process::{Resource, Rlimit, Signal};
 use std::any::Any;
@@ -70,7 +70,9 @@ impl Engines {
             Err((status, note)) => say(Message::Failed { status, note }),
             Ok(answer) => {
                 say(Message::Answered(Box::new(answer.clone())))?;
-                let judged = catch_unwind(AssertUnwindSafe(|| judge(&task.case, &task.engine, &answer)));
+                let judged = catch_unwind(AssertUnwindSafe(|| {
+                    judge_or_sample(&task.case, &task.engine, &answer, task.sampling)
+                }));
                 let judgement = judged.unwrap_or_else(|cause| {
                     crate::judge::Judgement::undecided(format!("the reference panicked: {}", reason(cause.as_ref())))
                 });

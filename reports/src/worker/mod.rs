@@ -9,6 +9,7 @@ pub mod parent;
 use crate::cases::Case;
 use crate::engine::Answer;
 use crate::judge::Judgement;
+use crate::judge::samples::Sampling;
 use crate::row::Status;
 use arcsum::region::Region;
 use serde::{Deserialize, Serialize};
@@ -23,6 +24,9 @@ pub struct Task {
     /// A region to be judged instead of the engine's answer, which is then not asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub claim: Option<Region>,
+    /// Whether and how often the answer is sampled.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sampling: Option<Sampling>,
 }
 
 /// A line from a worker.

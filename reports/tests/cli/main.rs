@@ -5,6 +5,7 @@ mod engines;
 mod input;
 mod replay;
 mod resume;
+mod samples;
 mod sums;
 mod tables;
 

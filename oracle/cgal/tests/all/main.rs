@@ -9,5 +9,6 @@ mod curved;
 mod draw;
 mod issues;
 mod known;
+mod offset;
 mod silence;
 mod verdict;
