@@ -99,6 +99,10 @@ impl Engine for Cgal {
             CgalError::Failed(_) | CgalError::Died(_) | CgalError::Late(_) => EngineError::Crashed(error.to_string()),
         })
     }
+
+    fn process(&self) -> Option<u32> {
+        self.child.as_ref().and_then(Child::process)
+    }
 }
 
 #[cfg(test)]

@@ -125,3 +125,10 @@ pub fn judge(case: &Case, engine: &str, answer: &Answer) -> Judgement {
     judgement.failed_checks.extend(result::failed_checks(&answer.region));
     judgement
 }
+
+/// The error of an answer as [`judge`] brackets it, without most of what else there is to say.
+#[must_use]
+pub fn error(case: &Case, answer: &Answer) -> Judgement {
+    // The engine's name is of use only where a case has somebody else's answer.
+    if case.is_polygonal() { polygon::judge(case, "", answer) } else { arcs::judge(case, answer) }
+}

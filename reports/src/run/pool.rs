@@ -2,7 +2,7 @@
 
 use super::plan::Plan;
 use crate::worker::parent::{Worker, WorkerError};
-use crate::worker::{Outcome, Task};
+use crate::worker::{Ask, Outcome, Task};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{self, Sender};
@@ -75,7 +75,8 @@ impl Pool<'_> {
         while !given_up.load(Ordering::Relaxed) {
             let Some(&job) = jobs.get(next.fetch_add(1, Ordering::Relaxed)) else { return };
             let facts = &plan.engines[plan.jobs[job].engine];
-            let task = Task { case: plan.cases[plan.jobs[job].case].clone(), engine: facts.name.clone(), claim: None };
+            let case = plan.cases[plan.jobs[job].case].clone();
+            let task = Task { case, engine: facts.name.clone(), claim: None, ask: Ask::All };
             let outcome = worker.measure(&task, stop).map_err(|e| match e {
                 WorkerError::Stopped => PoolError::Stopped,
                 other => PoolError::Worker(other),
