@@ -70,10 +70,10 @@ pub fn time(
     }
     go_round(case, engines, &mut attempts, effort.rounds);
     let first = attempts.first().and_then(Option::as_ref);
-    let row = |(engine, attempt): (&Box<dyn Engine>, &Option<Attempt>)| {
-        Some(Timing::new(case, size, engine.name(), attempt.as_ref()?, first))
-    };
-    let mut rows: Vec<Option<Timing>> = engines.iter().zip(&attempts).map(row).collect();
+    let row =
+        |(engine, attempt): (&str, &Option<Attempt>)| Some(Timing::new(case, size, engine, attempt.as_ref()?, first));
+    let names = engines.iter().map(|engine| engine.name());
+    let mut rows: Vec<Option<Timing>> = names.zip(&attempts).map(row).collect();
     if let Some(counter) = effort.counter {
         let here: Vec<bool> = engines.iter().map(|engine| engine.process().is_none()).collect();
         counter.count(case, &mut rows, &here);
