@@ -2,12 +2,14 @@
 //! the worst case (`goals.csv`). Theirs is one engine, or the best of several in each case.
 //!
 //! A case counts where both are timed and neither was found wrong; a goal can ask that theirs is right to more than that.
+//! Cases where only one of the two has such a time are counted apart: a mean over those where both came through says nothing
+//! about the ones where one did not.
 
 use super::middle::Sorted;
 use super::timing::Timing;
 use crate::row::number;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Vertices of the arrangements that are compared with sorting.
 const SORTED_VERTICES: std::ops::RangeInclusive<u64> = 10_000..=1_000_000;
@@ -60,6 +62,10 @@ pub struct Reached {
     pub cases: usize,
     /// Those among them where nobody could tell whether one of the two results is right.
     pub unjudged: usize,
+    /// Cases put to both where ours has a time that counts and theirs has none, of any engine of the goal.
+    pub only_ours: usize,
+    /// The other way round.
+    pub only_theirs: usize,
     /// The geometric mean of the ratios; empty without cases.
     #[serde(default, with = "number")]
     pub geometric_mean: Option<f64>,
@@ -93,10 +99,12 @@ struct Pair<'a> {
 pub fn reached(rows: &[Timing], ours: &str) -> Vec<Reached> {
     let of_ours: BTreeMap<&str, &Timing> =
         rows.iter().filter(|row| row.engine == ours && row.counts()).map(|row| (row.case.as_str(), row)).collect();
-    let mut all: Vec<Reached> = GOALS
-        .iter()
-        .map(|goal| measured(goal.name, ours, &against(rows, goal, &of_ours), goal.wanted.map(Some)))
-        .collect();
+    let of_goal = |goal: &Goal| {
+        let [only_ours, only_theirs] = alone(rows, goal, ours, &of_ours);
+        let pairs = against(rows, goal, &of_ours);
+        Reached { only_ours, only_theirs, ..measured(goal.name, ours, &pairs, goal.wanted.map(Some)) }
+    };
+    let mut all: Vec<Reached> = GOALS.iter().map(of_goal).collect();
     let sorted: Vec<Pair<'_>> = of_ours.values().filter_map(|row| sorting(row)).collect();
     all.push(measured(SORTING, ours, &sorted, [None; 2]));
     all
@@ -114,6 +122,19 @@ fn against<'a>(rows: &'a [Timing], goal: &Goal, ours: &BTreeMap<&str, &Timing>) 
         }
     }
     best.into_values().collect()
+}
+
+/// The cases put to both sides where only ours, and where only theirs, has a time that counts.
+fn alone(rows: &[Timing], goal: &Goal, ours: &str, of_ours: &BTreeMap<&str, &Timing>) -> [usize; 2] {
+    let asked: BTreeSet<&str> = rows.iter().filter(|row| row.engine == ours).map(|row| row.case.as_str()).collect();
+    let mut theirs: BTreeMap<&str, bool> = BTreeMap::new();
+    for row in rows.iter().filter(|row| (goal.theirs)(row) && asked.contains(row.case.as_str())) {
+        *theirs.entry(&row.case).or_default() |= row.counts();
+    }
+    let count = |ours: bool| {
+        theirs.iter().filter(|(case, theirs)| of_ours.contains_key(*case) == ours && **theirs != ours).count()
+    };
+    [count(true), count(false)]
 }
 
 /// Ours against sorting.
@@ -134,6 +155,8 @@ fn measured(goal: &str, ours: &str, pairs: &[Pair<'_>], wanted: [Option<f64>; 2]
         ours: ours.to_owned(),
         cases: pairs.len(),
         unjudged: pairs.iter().filter(|pair| !pair.judged).count(),
+        only_ours: 0,
+        only_theirs: 0,
         geometric_mean,
         wanted_mean: wanted[0],
         mean_met: met(geometric_mean, wanted[0]),

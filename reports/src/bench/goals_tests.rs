@@ -46,6 +46,27 @@ fn the_best_exact_strategy_that_is_not_wrong_counts() {
 }
 
 #[test]
+fn cases_that_only_one_side_came_through_are_counted_apart() {
+    let lost = |row: Timing| Timing { status: Fate::Crashed, to_first: None, ..row };
+    let rows = [
+        row("p", "ours", 1.0),
+        lost(row("p", EXACT[0], 0.0)),
+        row("p", EXACT[1], 2.0),
+        row("q", "ours", 1.0),
+        lost(row("q", EXACT[0], 0.0)),
+        Timing { correct: Some(false), ..row("q", EXACT[1], 2.0) },
+        lost(row("r", "ours", 0.0)),
+        row("r", EXACT[0], 2.0),
+        lost(row("s", "ours", 0.0)),
+        lost(row("s", EXACT[0], 0.0)),
+        row("never put to ours", EXACT[0], 2.0),
+        row("never put to them", "ours", 1.0),
+    ];
+    let it = of(&rows, 0);
+    assert_eq!((it.cases, it.only_ours, it.only_theirs), (1, 1, 1));
+}
+
+#[test]
 fn a_goal_without_cases_is_neither_met_nor_missed() {
     let it = of(&[row("p", "ours", 1.0)], 2);
     assert_eq!((it.cases, it.geometric_mean, it.mean_met, it.worst_met), (0, None, None, None));

@@ -89,7 +89,7 @@ impl Looks {
         stop: &AtomicBool,
     ) -> Result<Look, WorkerError> {
         if let Some((from, fate)) = self.given_up.get(&key(case, engine)).filter(|(from, _)| *from < size) {
-            return Ok(Look::skipped(*fate, format!("{} on {from} sum segments of the family", fate.word())));
+            return Ok(Look::skipped(*fate, format!("it was so on a case of the family with {from} sum segments")));
         }
         let judged = self.silent.get(&case.family).is_none_or(|from| size < *from);
         let task =

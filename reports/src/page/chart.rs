@@ -112,7 +112,7 @@ impl Chart {
 
 /// Ten to this whole power: written out where that is short.
 fn power(exponent: f64) -> String {
-    if (-3.0..=6.0).contains(&exponent) {
+    if (-3.0..=4.0).contains(&exponent) {
         let digits = 0.0_f64.max(-exponent) as usize;
         return format!("{:.digits$}", 10.0_f64.powf(exponent));
     }

@@ -10,6 +10,8 @@ pub fn html(reached: &[Reached]) -> String {
         ("against", ""),
         ("cases", "timed on both, neither found wrong"),
         ("nobody looked", "cases among them where a result could not be judged"),
+        ("only ours", "cases put to both that only ours came through, right and in time"),
+        ("only theirs", "the other way round"),
         ("mean", "geometric mean of theirs by ours"),
         ("wanted", ""),
         ("", ""),
@@ -26,9 +28,10 @@ pub fn html(reached: &[Reached]) -> String {
         let [wanted_mean, wanted_worst] = [row.wanted_mean, row.wanted_worst].map(times);
         let [mean_met, worst_met] = [row.mean_met, row.worst_met].map(|met| verdict(met, row.cases));
         let start = [Cell::text(&row.goal), Cell::count(row.cases), Cell::count(row.unjudged)];
+        let apart = [Cell::count(row.only_ours), Cell::count(row.only_theirs)];
         let middle = [mean, wanted_mean, mean_met, worst, wanted_worst, worst_met];
         let end = [Cell::text(&row.worst_case), Cell::text(&row.worst_engine)];
-        table.row(None, &start.into_iter().chain(middle).chain(end).collect::<Vec<_>>());
+        table.row(None, &start.into_iter().chain(apart).chain(middle).chain(end).collect::<Vec<_>>());
     }
     table.html()
 }
