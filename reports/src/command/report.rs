@@ -32,6 +32,10 @@ pub fn report(args: &ReportArgs) -> Result<u8, Failure> {
     // The timing left its own.
     stamp(&plan, &args.run)?;
     let index = page::write(&args.run.out).map_err(Failure::other)?;
+    if args.run.out.join("timing.csv").is_file() {
+        // Once more: now there is a page to link to.
+        page::bench::write(&args.run.out).map_err(Failure::other)?;
+    }
     println!("{}", index.canonicalize().unwrap_or(index).display());
     Ok(0)
 }
