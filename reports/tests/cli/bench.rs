@@ -70,7 +70,7 @@ fn engines_without_a_sum_have_rows_that_say_why() {
     let hangs = place.engine("hangs", "sleep 60");
     let talks = place.engine("talks", "echo '{\"loops\": \"none\"}'");
     let engines = ["kinetic", &dies, &hangs, &talks];
-    let found = timed(&place, &["fork_1", "fork_2"], &engines, &["--time-limit", "2"]);
+    let found = timed(&place, &["fork_1", "fork_2"], &engines, &["--time-limit", "5"]);
     let fates: Vec<&str> = found.iter().map(|row| row["status"].as_str()).collect();
     let again = ["ok", "crashed", "too slow", "invalid"];
     assert_eq!(fates, [["ok", "crashed", "timeout", "invalid"], again].concat());
