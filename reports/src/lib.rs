@@ -9,6 +9,7 @@ pub mod engine;
 pub mod environment;
 pub mod iterate;
 pub mod judge;
+pub mod memory;
 pub mod page;
 pub mod row;
 pub mod run;

@@ -54,6 +54,12 @@ impl Child {
         }
     }
 
+    /// The id of the process that runs, if one does.
+    #[must_use]
+    pub fn process(&self) -> Option<u32> {
+        self.running.as_ref().map(|running| running.process.id())
+    }
+
     fn started(&mut self) -> Result<&mut Running, CgalError> {
         let running = match self.running.take() {
             Some(running) => running,

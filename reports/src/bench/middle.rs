@@ -1,4 +1,4 @@
-//! The middle and the ends of some values.
+//! The middle, the mean and the ends of some values.
 
 /// Values from least to greatest; there is at least one.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,6 +21,11 @@ impl Sorted {
     pub fn median(&self) -> f64 {
         let n = self.0.len();
         0.5 * (self.0[(n - 1) / 2] + self.0[n / 2])
+    }
+
+    /// The geometric mean; the values must be positive.
+    pub fn geometric_mean(&self) -> f64 {
+        libm::exp(self.0.iter().map(|value| libm::log(*value)).sum::<f64>() / self.0.len() as f64)
     }
 
     /// The greatest.

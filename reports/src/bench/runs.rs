@@ -1,9 +1,8 @@
-//! The runs of one engine on one case, each with the sort next to it.
+//! One run of an engine on a case, with the sort next to it.
 
-use super::Missing;
 use crate::cases::Case;
 use crate::cases::rng::Rng;
-use crate::engine::{Answer, Counters, Engine, EngineError, Times};
+use crate::engine::{Engine, EngineError, Times};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
@@ -18,41 +17,14 @@ pub struct Run {
     pub sort: Option<Duration>,
 }
 
-/// What an engine counted and how long each run took.
-#[derive(Clone, Debug)]
-pub struct Runs {
-    /// The counters.
-    pub counters: Counters,
-    /// The runs, without the one to warm up.
-    pub runs: Vec<Run>,
-}
-
-impl Runs {
-    /// Warms an engine up, unless the case is beyond it or its arrangement has more than `most` vertices.
-    pub fn warm(engine: &mut dyn Engine, case: &Case, most: u64) -> Result<Self, Missing> {
-        if !engine.abilities().cover(&case.a, &case.b) {
-            return Err(Missing::Unable);
-        }
-        let Answer { counters, .. } = engine.sum(&case.a, &case.b)?;
-        match counters.vertices {
-            Some(vertices) if vertices > most => Err(Missing::TooLarge(vertices)),
-            _ => Ok(Self { counters, runs: Vec::new() }),
-        }
-    }
-
-    /// Runs the engine once more.
-    pub fn add(&mut self, engine: &mut dyn Engine, case: &Case) -> Result<(), EngineError> {
+impl Run {
+    /// Runs an engine once; `vertices` is what its arrangement has, if it tells.
+    pub fn of(engine: &mut dyn Engine, case: &Case, vertices: Option<u64>) -> Result<Self, EngineError> {
         let start = Instant::now();
         let answer = black_box(engine.sum(&case.a, &case.b)?);
         let total = answer.times.total.unwrap_or(start.elapsed());
-        let sort = self.counters.vertices.map(|vertices| sort(vertices as usize));
-        self.runs.push(Run { total, times: answer.times, sort });
-        Ok(())
-    }
-
-    /// The times of the sums.
-    pub fn totals(&self) -> Vec<Duration> {
-        self.runs.iter().map(|run| run.total).collect()
+        let sort = vertices.map(|vertices| sort(vertices as usize));
+        Ok(Self { total, times: answer.times, sort })
     }
 }
 

@@ -240,6 +240,12 @@ impl Family {
         (0..self.draws).flat_map(|draw| self.draw(size, draw, seed)).collect()
     }
 
+    /// The cases of the first draw of a size.
+    #[must_use]
+    pub fn first_of_size(&self, size: u32, seed: u64) -> Vec<Case> {
+        self.draw(size, 0, seed)
+    }
+
     fn draw(&self, size: u32, draw: u32, seed: u64) -> Vec<Case> {
         let base = if self.draws == 1 {
             format!("{}_{size}", self.name)

@@ -46,7 +46,7 @@ fn family(word: &str, seed: u64) -> Result<Vec<Case>, BadFile> {
 }
 
 /// A name met before gets a number, so that names stay unique within a run.
-fn number_repeats(cases: &mut [Case]) {
+pub fn number_repeats(cases: &mut [Case]) {
     let mut seen: BTreeMap<String, u32> = BTreeMap::new();
     for case in cases {
         let count = seen.entry(case.name.clone()).or_insert(0);

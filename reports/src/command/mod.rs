@@ -6,6 +6,7 @@ pub mod attack;
 pub mod bench;
 pub mod interrupt;
 pub mod iterate;
+pub mod repeat;
 pub mod replay;
 pub mod report;
 pub mod sum;
@@ -47,6 +48,9 @@ enum Command {
     /// Measure cases for a parent process.
     #[command(hide = true)]
     Worker,
+    /// Run an engine again and again, for a parent process that counts.
+    #[command(hide = true, name = repeat::COMMAND)]
+    Repeat(repeat::RepeatArgs),
     /// Answer questions to CGAL for a parent process.
     #[command(hide = true, name = COMMAND)]
     Cgal,
@@ -96,7 +100,7 @@ pub struct RunArgs {
     pub out: PathBuf,
 }
 
-fn seconds(text: &str) -> Result<Duration, String> {
+pub(crate) fn seconds(text: &str) -> Result<Duration, String> {
     let seconds: f64 = text.parse().map_err(|_| "not a number of seconds".to_owned())?;
     let limit = Duration::try_from_secs_f64(seconds).map_err(|e| e.to_string())?;
     if limit.is_zero() { Err("a limit of no time".into()) } else { Ok(limit) }
@@ -113,6 +117,7 @@ pub fn main() -> ExitCode {
         Command::Attack(args) => attack::attack(&args),
         Command::Bench(args) => bench::bench(&args),
         Command::Iterate(args) => iterate::iterate(&args),
+        Command::Repeat(args) => repeat::repeat(&args),
         Command::Cgal => arcsum_cgal::child::serve().map(|()| 0).map_err(Failure::other),
         Command::Worker => crate::worker::child::serve().map(|()| 0).map_err(Failure::other),
     };

@@ -32,6 +32,10 @@ pub fn report(args: &ReportArgs) -> Result<u8, Failure> {
     // The timing left its own.
     stamp(&plan, &args.run)?;
     let index = page::write(&args.run.out).map_err(Failure::other)?;
+    if args.run.out.join("timing.csv").is_file() {
+        // Once more: now there is a page to link to.
+        page::bench::write(&args.run.out).map_err(Failure::other)?;
+    }
     println!("{}", index.canonicalize().unwrap_or(index).display());
     Ok(0)
 }
@@ -41,7 +45,7 @@ fn time_sums(args: &ReportArgs) -> Result<(), Failure> {
     let program = std::env::current_exe().map_err(Failure::other)?;
     let seed = args.run.seed.to_string();
     let ended = Command::new(program)
-        .args(["bench", "--runs", "3", "--max-vertices", "150000", "--seed", &seed, "--out"])
+        .args(["bench", "--runs", "3", "--max-vertices", "150000", "--time-limit", "5", "--seed", &seed, "--out"])
         .arg(&args.run.out)
         .stdout(Stdio::null())
         .status()

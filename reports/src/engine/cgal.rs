@@ -94,6 +94,10 @@ impl Engine for Cgal {
     fn sum(&mut self, a: &Region, b: &Region) -> Result<Answer, EngineError> {
         self.asked(a, b).map_err(refusal)
     }
+
+    fn process(&self) -> Option<u32> {
+        self.child.as_ref().and_then(Child::process)
+    }
 }
 
 /// CGAL's error as the engine's.

@@ -74,6 +74,10 @@ impl Engine for Program {
         })?;
         Ok(Answer { region, ..Answer::default() })
     }
+
+    fn process(&self) -> Option<u32> {
+        self.running.as_ref().map(|running| running.child.id())
+    }
 }
 
 impl Drop for Program {

@@ -76,6 +76,9 @@ pub struct Answer {
     /// Checks of its own that failed, by name; none when the engine makes no checks.
     #[serde(default)]
     pub failed_checks: Option<Vec<String>>,
+    /// By how much the memory grew during the sum, in bytes; where somebody watched.
+    #[serde(default)]
+    pub memory: Option<u64>,
     /// The cells it tells apart, with test points; none for engines that do not show them. They do not leave the process.
     #[serde(skip)]
     pub cells: Option<cells::Cells>,
@@ -138,4 +141,23 @@ pub trait Engine {
     /// # Errors
     /// When the engine refuses, answers nonsense, or dies in a way that can be told.
     fn sum(&mut self, a: &Region, b: &Region) -> Result<Answer, EngineError>;
+
+    /// The sum without counters and whatever else is told about it: what memory and instructions are counted on.
+    ///
+    /// # Errors
+    /// As [`Engine::sum`].
+    fn alone(&mut self, a: &Region, b: &Region) -> Result<Answer, EngineError> {
+        self.sum(a, b)
+    }
+
+    /// The process that sums, once it has been asked; none where it is this one.
+    fn process(&self) -> Option<u32> {
+        None
+    }
+
+    /// How coarse its results are by its own word, in unit-box lengths, as those of flattened operands are; none where they
+    /// are as fine as it can.
+    fn resolution(&self) -> Option<f64> {
+        None
+    }
 }

@@ -11,7 +11,7 @@ use arcsum::heuristic::THRESHOLD;
 use arcsum::region::Region;
 use arcsum::robustness::{Robustness, Step};
 use arcsum::sum::{Convolution, Options, Sum, sum};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// An engine by its convolution and robustness steps.
 #[derive(Debug)]
@@ -68,6 +68,13 @@ impl Own {
             options: Options { convolution, robustness, threshold, culling: culled.is_some() },
         })
     }
+
+    /// The sum and how long it took.
+    fn timed(&self, a: &Region, b: &Region) -> Result<(Sum, Duration), EngineError> {
+        let start = Instant::now();
+        let sum = sum(a, b, &self.options).map_err(|e| EngineError::Invalid(e.to_string()))?;
+        Ok((sum, start.elapsed()))
+    }
 }
 
 impl Engine for Own {
@@ -83,10 +90,14 @@ impl Engine for Own {
         Abilities::ALL
     }
 
+    fn alone(&mut self, a: &Region, b: &Region) -> Result<Answer, EngineError> {
+        let (sum, total) = self.timed(a, b)?;
+        let times = Times { total: Some(total), ..Times::default() };
+        Ok(Answer { region: sum.region, times, ..Answer::default() })
+    }
+
     fn sum(&mut self, a: &Region, b: &Region) -> Result<Answer, EngineError> {
-        let start = Instant::now();
-        let sum = sum(a, b, &self.options).map_err(|e| EngineError::Invalid(e.to_string()))?;
-        let total = start.elapsed();
+        let (sum, total) = self.timed(a, b)?;
         Ok(Answer {
             counters: counters(&sum),
             times: Times {
@@ -98,6 +109,7 @@ impl Engine for Own {
             convolution: sum.convolution_in_input_units(),
             failed_checks: Some(failed(&sum)),
             cells: Some(cells(&sum)),
+            memory: None,
             region: sum.region,
         })
     }

@@ -3,8 +3,8 @@
 use super::{Reference, Step, Verdict};
 use crate::cases::Case;
 use crate::row::Status;
-use crate::worker::Task;
 use crate::worker::parent::{Worker, WorkerError};
+use crate::worker::{Ask, Task};
 use std::sync::atomic::AtomicBool;
 
 /// The error so far. References of regions with arcs may run for hours, so a worker with a time limit asks them.
@@ -31,7 +31,7 @@ impl<'a> Certified<'a> {
             seed: None,
             golden: None,
         };
-        let task = Task { case, engine: "none".into(), claim: Some(step.after.clone()), sampling: None };
+        let task = Task { case, engine: "none".into(), claim: Some(step.after.clone()), sampling: None, ask: Ask::All };
         let outcome = self.worker.measure(&task, self.stop)?;
         if let Some((_, note)) = outcome.failure {
             return Ok(Err(note));

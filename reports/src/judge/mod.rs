@@ -151,3 +151,10 @@ fn by_reference(case: &Case, engine: &str, answer: &Answer, sampling: Option<Sam
         (Err(error), _) => Judgement::undecided(error.to_string()),
     }
 }
+
+/// The error of an answer as [`judge_or_sample`] finds it, without most of what else there is to say.
+#[must_use]
+pub fn error(case: &Case, answer: &Answer, sampling: Option<Sampling>) -> Judgement {
+    // The engine's name is of use only where a case has somebody else's answer.
+    by_reference(case, "", answer, sampling)
+}

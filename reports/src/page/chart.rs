@@ -1,4 +1,4 @@
-//! What the charts share: the plotting area, axes and the marks of engines. A chart is an inline SVG of the page.
+//! What the charts share: the plotting area, axes, also logarithmic ones, and the marks of engines. A chart is an inline SVG of the page.
 
 use super::escape::text;
 use super::path::decimal;
@@ -73,6 +73,24 @@ impl Chart {
         )
     }
 
+    /// The chart of two axes of powers of ten that holds all points, each given by the logarithms of its coordinates; none
+    /// without points.
+    pub fn of_powers(height: f64, points: impl IntoIterator<Item = (f64, f64)>) -> Option<Self> {
+        let start = (f64::INFINITY, f64::NEG_INFINITY);
+        let grown = |(low, high): (f64, f64), v: f64| (low.min(v), high.max(v));
+        let (across, up) =
+            points.into_iter().fold((start, start), |(across, up), (x, y)| (grown(across, x), grown(up, y)));
+        let whole = |(low, high): (f64, f64)| (low.floor() - 0.05, high.ceil().max(low.floor() + 1.0) + 0.05);
+        (across.0 <= across.1 && up.0 <= up.1).then(|| Self { height, across: whole(across), up: whole(up) })
+    }
+
+    /// Labels and grid lines at the powers of ten on both axes.
+    pub fn powers(&self) -> String {
+        let within = |(low, high): (f64, f64)| (low.ceil() as i32..=high.floor() as i32).map(f64::from);
+        let below: String = within(self.across).map(|v| self.below(v, &power(v))).collect();
+        below + &within(self.up).map(|v| self.left(v, &power(v))).collect::<String>()
+    }
+
     /// Labels for whole bits across, multiples of `step`.
     pub fn bits_below(&self, low: i32, high: i32, step: i32) -> String {
         (low..=high).filter(|b| b % step == 0).map(|b| self.below(f64::from(b), &b.to_string())).collect()
@@ -90,6 +108,15 @@ impl Chart {
         };
         mark(ENOUGH_BITS, "45 bits") + &mark(EPS_BITS, "eps")
     }
+}
+
+/// Ten to this whole power: written out where that is short.
+fn power(exponent: f64) -> String {
+    if (-3.0..=4.0).contains(&exponent) {
+        let digits = 0.0_f64.max(-exponent) as usize;
+        return format!("{:.digits$}", 10.0_f64.powf(exponent));
+    }
+    format!("1e{exponent}")
 }
 
 /// The marks of engines in order: class of the colour, dashes of a line, outline of a point around its place.

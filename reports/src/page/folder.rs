@@ -3,12 +3,11 @@
 //! Only `results.csv` must be there. What is there must be sound: the first fault ends in one sentence.
 
 use super::PageError;
+use super::file::{Sheet, broken_csv, json, read, sheet};
 use crate::row::{Record, Row};
 use csv::StringRecord;
-use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;
 use std::fs;
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 /// A row of `results.csv`.
@@ -20,15 +19,6 @@ pub struct Entry {
     pub row: Row,
     /// How the file says it, field by field.
     pub cells: StringRecord,
-}
-
-/// A CSV file as text.
-#[derive(Clone, Debug)]
-pub struct Sheet {
-    /// The names of the columns.
-    pub headers: StringRecord,
-    /// The rows, each as long as `headers`.
-    pub rows: Vec<StringRecord>,
 }
 
 /// What an output folder holds, the records excepted: those are read one at a time.
@@ -81,6 +71,11 @@ impl Folder {
         read(&file)?.map(|bytes| sheet(&file, &bytes)).transpose()
     }
 
+    /// Whether a file of this name is in the folder.
+    pub fn has(&self, name: &str) -> bool {
+        self.dir.join(name).is_file()
+    }
+
     /// The record of an entry, or `None` when it has none.
     ///
     /// # Errors
@@ -101,47 +96,4 @@ impl Folder {
         let name = format!("witnesses/{}.json", entry.file_stem());
         self.dir.join(&name).is_file().then_some(name)
     }
-}
-
-/// The file's bytes, or `None` when there is no such file.
-fn read(file: &Path) -> Result<Option<Vec<u8>>, PageError> {
-    match fs::read(file) {
-        Ok(bytes) => Ok(Some(bytes)),
-        Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
-        Err(source) => Err(PageError::Io { file: file.to_owned(), source }),
-    }
-}
-
-fn json<T: DeserializeOwned>(file: &Path) -> Result<Option<T>, PageError> {
-    let Some(bytes) = read(file)? else { return Ok(None) };
-    serde_json::from_slice(&bytes).map(Some).map_err(|error| {
-        let reason = error.to_string();
-        let reason = reason.split(" at line ").next().unwrap_or_default().to_owned();
-        PageError::Broken { file: file.to_owned(), line: error.line() as u64, reason }
-    })
-}
-
-fn sheet(file: &Path, bytes: &[u8]) -> Result<Sheet, PageError> {
-    let mut reader = csv::Reader::from_reader(bytes);
-    let none = StringRecord::new();
-    let headers = reader.headers().map_err(|error| broken_csv(file, &none, &error, &none))?.clone();
-    let rows = reader.records().collect::<Result<_, _>>().map_err(|error| broken_csv(file, &none, &error, &headers))?;
-    Ok(Sheet { headers, rows })
-}
-
-/// A fault of a CSV file in words, with the line of the row it is in.
-fn broken_csv(file: &Path, row: &StringRecord, error: &csv::Error, headers: &StringRecord) -> PageError {
-    let position = error.position().or(row.position());
-    let reason = match error.kind() {
-        csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
-            format!("the row has {len} fields, the header {expected_len}")
-        }
-        csv::ErrorKind::Utf8 { .. } => "the row is not UTF-8".to_owned(),
-        csv::ErrorKind::Deserialize { err, .. } => {
-            let column = err.field().and_then(|i| headers.get(usize::try_from(i).ok()?));
-            column.map_or(err.kind().to_string(), |name| format!("column {name}: {}", err.kind()))
-        }
-        other => format!("{other:?}"),
-    };
-    PageError::Broken { file: file.to_owned(), line: position.map_or(1, csv::Position::line), reason }
 }

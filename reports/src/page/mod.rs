@@ -7,6 +7,7 @@
 //! Files are numbered by the row they belong to, from 1 with four digits: `cases/0001.json` is read, `pictures/0001.svg`
 //! written, `witnesses/0001.json` named in the command that measures the worst case again.
 
+pub mod bench;
 mod bins;
 mod chart;
 mod checks;
@@ -17,6 +18,7 @@ mod edge;
 mod environment;
 mod escape;
 mod families;
+mod file;
 mod folder;
 mod histogram;
 mod number;
@@ -74,10 +76,11 @@ struct Section {
 }
 
 /// Tables shown as they are: file, anchor and heading. Each is optional.
-const SHEETS: [(&str, &str, &str); 6] = [
+const SHEETS: [(&str, &str, &str); 7] = [
     ("claims.csv", "claims", "Claims of the papers"),
     ("timing.csv", "timing", "Times"),
     ("comparison.csv", "comparison", "Times of one engine against another"),
+    ("goals.csv", "goals", "Goals against peers"),
     ("iterated.csv", "iterated", "Iterated sums"),
     ("packing.csv", "packing", "Packing"),
     ("goldens.csv", "goldens", "Known answers"),
@@ -155,15 +158,23 @@ fn page(folder: &Folder, mut sheets: Vec<Section>, drawn: &[bool], broken: &[Str
     sections.append(&mut sheets);
     sections.push(section("rows", "All rows", rows::html(folder, drawn)));
     sections.push(section("environment", "Environment", environment::html(folder)));
-    let links: String = sections.iter().map(|s| format!("<a href=\"#{}\">{}</a>", s.id, s.title)).collect();
-    let body: String = sections.iter().map(Section::html).collect();
     let doubts = doubts::html(entries, broken);
+    let other = if folder.has(bench::FILE) { Some((bench::FILE, "The bench")) } else { None };
+    document("arcsum: measured errors", GUIDE, other, &doubts, &sections)
+}
+
+/// A page of these sections below its guide and what is to be doubted; `other` is the file and the name of a page to link to.
+fn document(title: &str, guide: &str, other: Option<(&str, &str)>, doubts: &str, sections: &[Section]) -> String {
+    let mut links: String = sections.iter().map(|s| format!("<a href=\"#{}\">{}</a>", s.id, s.title)).collect();
+    links.extend(other.map(|(file, name)| format!("<a href=\"{file}\">{name}</a>")));
+    let body: String = sections.iter().map(Section::html).collect();
+    let first = sections.first().map_or("", |section| section.id);
     let style = picture::STYLE;
     format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>arcsum: measured errors</title>\n\
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>{title}</title>\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta name=\"color-scheme\" content=\"light dark\">\n<style>\n{STYLE}{style}</style>\n</head>\n<body>\n\
-         <a class=\"skip\" href=\"#summary\">Skip to the numbers</a>\n<header>{GUIDE}<nav aria-label=\"Sections\">{links}</nav>\
+         <a class=\"skip\" href=\"#{first}\">Skip to the numbers</a>\n<header>{guide}<nav aria-label=\"Sections\">{links}</nav>\
          </header>\n<main>\n{doubts}{body}</main>\n<script>\n{SCRIPT}</script>\n</body>\n</html>\n"
     )
 }

@@ -3,7 +3,7 @@
 //! A cell sorts by its key: the exact value, where the page shows a shortened one.
 
 use super::escape::text;
-use super::folder::Sheet;
+use super::file::Sheet;
 use super::number;
 
 /// A cell as HTML, with the value it sorts by.

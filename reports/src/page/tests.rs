@@ -232,6 +232,14 @@ fn families_without_any_measurement_come_first() {
 }
 
 #[test]
+fn the_page_of_the_bench_is_linked_where_it_is() {
+    let (dir, page) = page_of(&mixed_rows(), false);
+    assert!(!page.contains("bench.html"));
+    fs::write(dir.path().join("bench.html"), "").unwrap();
+    assert!(write_and_read(dir.path()).contains("<a href=\"bench.html\">"));
+}
+
+#[test]
 fn links_and_ids_fit_together() {
     let (dir, _) = page_of(&mixed_rows(), true);
     fs::write(dir.path().join("claims.csv"), "id,verdict\nM1,confirmed\n").unwrap();

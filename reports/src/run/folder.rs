@@ -31,15 +31,17 @@ pub struct Folder {
 }
 
 /// What a run leaves in its folder.
-const FILES: [&str; 8] = [
+const FILES: [&str; 10] = [
     "results.csv",
     "journal.jsonl",
     "environment.json",
     "goldens.csv",
     "timing.csv",
     "comparison.csv",
+    "goals.csv",
     "iterated.csv",
     "index.html",
+    "bench.html",
 ];
 const FOLDERS: [&str; 3] = ["cases", "witnesses", "pictures"];
 

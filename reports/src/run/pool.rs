@@ -2,7 +2,7 @@
 
 use super::plan::Plan;
 use crate::worker::parent::{Worker, WorkerError};
-use crate::worker::{Outcome, Task};
+use crate::worker::{Ask, Outcome, Task};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{self, Sender};
@@ -76,7 +76,7 @@ impl Pool<'_> {
             let Some(&job) = jobs.get(next.fetch_add(1, Ordering::Relaxed)) else { return };
             let facts = &plan.engines[plan.jobs[job].engine];
             let case = plan.cases[plan.jobs[job].case].clone();
-            let task = Task { case, engine: facts.name.clone(), claim: None, sampling: plan.sampling };
+            let task = Task { case, engine: facts.name.clone(), claim: None, sampling: plan.sampling, ask: Ask::All };
             let outcome = worker.measure(&task, stop).map_err(|e| match e {
                 WorkerError::Stopped => PoolError::Stopped,
                 other => PoolError::Worker(other),

@@ -3,16 +3,20 @@
 //! Standard input belongs to the parent: when it ends, the parent is gone or has had enough, and the worker ends at once
 //! with everything it started. Memory is limited, so that a runaway allocation is a crash of the worker alone.
 
-use super::{Message, Task};
+use super::{Ask, Message, Task};
+use crate::cases::Case;
+use crate::cases::shape::{polygon, rectangle};
 use crate::engine::registry::engine;
 use crate::engine::{Answer, Engine, EngineError};
-use crate::judge::{judge_or_sample, result};
+use crate::judge::{Judgement, error, judge_or_sample, result};
+use crate::memory::Watch;
 use crate::row::Status;
 use rustix::process::{Resource, Rlimit, Signal};
 use std::any::Any;
 use std::io::{BufRead, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc;
+use std::time::Instant;
 
 /// Memory for the data of a worker and of each program it starts.
 const MEMORY_BYTES: u64 = 6 << 30;
@@ -70,11 +74,9 @@ impl Engines {
             Err((status, note)) => say(Message::Failed { status, note }),
             Ok(answer) => {
                 say(Message::Answered(Box::new(answer.clone())))?;
-                let judged = catch_unwind(AssertUnwindSafe(|| {
-                    judge_or_sample(&task.case, &task.engine, &answer, task.sampling)
-                }));
+                let judged = catch_unwind(AssertUnwindSafe(|| judged(task, &answer)));
                 let judgement = judged.unwrap_or_else(|cause| {
-                    crate::judge::Judgement::undecided(format!("the reference panicked: {}", reason(cause.as_ref())))
+                    Judgement::undecided(format!("the reference panicked: {}", reason(cause.as_ref())))
                 });
                 say(Message::Judged(Box::new(judgement)))
             }
@@ -86,7 +88,10 @@ impl Engines {
             return Ok(Answer { region: region.clone(), ..Answer::default() });
         }
         let engine = self.named(&task.engine).map_err(|note| (Status::Invalid, note))?;
-        let asked = catch_unwind(AssertUnwindSafe(|| engine.sum(&task.case.a, &task.case.b)));
+        let asked = catch_unwind(AssertUnwindSafe(|| match task.ask {
+            Ask::All => engine.sum(&task.case.a, &task.case.b),
+            Ask::Alone { .. } => watched(engine.as_mut(), &task.case),
+        }));
         let answer = match asked {
             Ok(Ok(answer)) => answer,
             Ok(Err(EngineError::Invalid(note))) => return Err((Status::Invalid, note)),
@@ -110,6 +115,28 @@ impl Engines {
         };
         Ok(&mut self.last.insert((name.to_owned(), engine)).1)
     }
+}
+
+/// What the references say.
+fn judged(task: &Task, answer: &Answer) -> Judgement {
+    match task.ask {
+        Ask::All => judge_or_sample(&task.case, &task.engine, answer, task.sampling),
+        Ask::Alone { judged: true } => error(&task.case, answer, task.sampling),
+        Ask::Alone { judged: false } => Judgement::undecided("nobody looked"),
+    }
+}
+
+/// The sum alone, with its time and the growth of the memory of the process that computed it.
+fn watched(engine: &mut dyn Engine, case: &Case) -> Result<Answer, EngineError> {
+    // A process of the engine's own is there once it has been asked; what becomes of this is of no interest.
+    let small = polygon(&rectangle([0.0, 0.0], [1.0, 1.0]));
+    let _ = engine.alone(&small, &small);
+    let watch = Watch::start(engine.process());
+    let start = Instant::now();
+    let mut answer = engine.alone(&case.a, &case.b)?;
+    answer.times.total = answer.times.total.or(Some(start.elapsed()));
+    answer.memory = watch.and_then(|watch| watch.growth());
+    Ok(answer)
 }
 
 /// What a panic said.

@@ -14,6 +14,19 @@ use crate::row::Status;
 use arcsum::region::Region;
 use serde::{Deserialize, Serialize};
 
+/// What a worker is to find out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Ask {
+    /// The sum with all that the engine tells about it, and all that the references say.
+    #[default]
+    All,
+    /// The sum alone, its memory watched; then, if `judged`, its error and nothing else.
+    Alone {
+        /// Whether the reference is asked.
+        judged: bool,
+    },
+}
+
 /// A line to a worker.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Task {
@@ -27,6 +40,9 @@ pub struct Task {
     /// Whether and how often the answer is sampled.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sampling: Option<Sampling>,
+    /// What is to be found out.
+    #[serde(default)]
+    pub ask: Ask,
 }
 
 /// A line from a worker.

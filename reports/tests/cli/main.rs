@@ -1,5 +1,6 @@
 //! The binary `arcsum` from outside: what it prints, writes and returns.
 
+mod bench;
 mod cgal;
 mod engines;
 mod input;

@@ -30,7 +30,7 @@ fn wait_for_rows(journal: &Path, count: usize) {
     }
 }
 
-fn signal(child: &Child, signal: Signal) {
+pub fn signal(child: &Child, signal: Signal) {
     let pid = i32::try_from(child.id()).ok().and_then(Pid::from_raw).unwrap();
     kill_process(pid, signal).unwrap();
 }

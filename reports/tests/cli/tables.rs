@@ -1,40 +1,18 @@
-//! The tables of `bench` and `iterate`.
+//! The tables of `iterate`.
 
 use super::{Place, code, errors, run, square};
 use std::collections::BTreeMap;
 
-type Row = BTreeMap<String, String>;
+/// A row by its columns.
+pub type Row = BTreeMap<String, String>;
 
-fn rows(place: &Place, file: &str) -> Vec<Row> {
+/// The rows of a table.
+pub fn rows(place: &Place, file: &str) -> Vec<Row> {
     csv::Reader::from_path(place.path(file)).unwrap().deserialize().collect::<Result<_, _>>().unwrap()
 }
 
 fn half_disc() -> &'static str {
     r#"{"loops": [[{"x": -1, "y": 0}, {"x": 1, "y": 0, "bulge": 1}]]}"#
-}
-
-#[test]
-fn engines_are_timed_on_the_same_cases() {
-    let place = Place::new();
-    let file = place.file("square.json", &square(1.0));
-    let engines = ["convex", "monotonic", "naive-kinetic"];
-    let out = place.text("out");
-    let mut arguments = vec!["bench", &file, "fork_2", "--runs", "3", "--out", &out];
-    arguments.extend(engines.iter().flat_map(|engine| ["--engine", engine]));
-    let output = run(&arguments);
-    assert_eq!(code(&output), 0, "{:?}", errors(&output));
-    let rows_of = rows(&place, "out/timing.csv");
-    assert_eq!(rows_of.iter().map(|row| row["engine"].as_str()).collect::<Vec<_>>(), [engines, engines].concat());
-    assert!(rows_of.iter().all(|row| row["runs"] == "3" && !row["to_first"].is_empty() && !row["cells"].is_empty()));
-    let comparison = rows(&place, "out/comparison.csv");
-    assert_eq!(comparison.iter().map(|row| row["engine"].as_str()).collect::<Vec<_>>(), engines[1..]);
-    assert!(comparison.iter().all(|row| row["first"] == "convex" && row["cases"] == "2"));
-}
-
-#[test]
-fn a_suite_and_cases_are_one_too_many() {
-    let output = run(&["bench", "fork_2", "--suite", "parts"]);
-    assert_eq!(code(&output), 2);
 }
 
 #[test]
