@@ -88,7 +88,7 @@ impl Engine for Cgal {
 
     fn abilities(&self) -> Abilities {
         let holes = self.method.strategy().takes_holes();
-        Abilities { arcs: false, holes, unbounded: false, pieces: false }
+        Abilities { holes, ..Abilities::NONE }
     }
 
     fn sum(&mut self, a: &Region, b: &Region) -> Result<Answer, EngineError> {

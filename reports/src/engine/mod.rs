@@ -4,11 +4,13 @@ pub mod cells;
 pub mod cgal;
 pub mod command;
 pub mod corners;
+pub mod disc;
 pub mod own;
 pub mod peer;
 pub mod registry;
 
 use arcsum::region::Region;
+use disc::Disc;
 use serde::{Deserialize, Serialize};
 use std::time::Duration;
 
@@ -23,11 +25,16 @@ pub struct Abilities {
     pub unbounded: bool,
     /// Regions of several pieces.
     pub pieces: bool,
+    /// Nothing but sums with a disc.
+    pub discs_only: bool,
 }
 
 impl Abilities {
     /// Everything a case can ask for.
-    pub const ALL: Self = Self { arcs: true, holes: true, unbounded: true, pieces: true };
+    pub const ALL: Self = Self { arcs: true, holes: true, unbounded: true, pieces: true, discs_only: false };
+
+    /// The sum of two polygons without holes.
+    pub const NONE: Self = Self { arcs: false, holes: false, unbounded: false, pieces: false, discs_only: false };
 
     /// Whether this suffices for the sum of the two.
     #[must_use]
@@ -37,6 +44,7 @@ impl Abilities {
             && (self.unbounded || both(|r| !r.unbounded))
             && (self.holes || both(|r| holes(r) == 0))
             && (self.pieces || both(|r| r.loops.len() - holes(r) <= 1))
+            && (!self.discs_only || [a, b].into_iter().any(|r| Disc::of(r).is_some()))
     }
 }
 
