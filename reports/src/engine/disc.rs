@@ -4,9 +4,10 @@ use arcsum::arc::{Arc, radius_of_bulge};
 use arcsum::region::{Curve, Node, Region};
 use glam::DVec2;
 
-/// How far centre and radius of its arcs may differ, in radii: a circle of three arcs or more has rounded corners. What is
-/// within this counts as a disc, and the difference as the engine's error.
-const SLACK: f64 = 1.0 / (1_u64 << 48) as f64;
+/// How far centre and radius of its arcs may differ, in radii: a circle of three arcs or more has rounded corners, and what
+/// rounding does to an arc of sweep s moves its centre by eps/s. This allows for sweeps down to a degree or two. What is
+/// within counts as a disc, and the difference as the engine's error.
+const SLACK: f64 = 1.0 / (1_u64 << 44) as f64;
 
 /// A disc, in the units of the region it was found in.
 #[derive(Clone, Copy, Debug, PartialEq)]

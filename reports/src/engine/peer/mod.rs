@@ -8,6 +8,8 @@
 //! For arcs there are a union that takes them, unions of operands with chords for arcs, and an offset, the sum with a disc.
 //! Nobody else sums two general regions with arcs.
 
+#[cfg(test)]
+mod arcs;
 #[cfg(feature = "cavalier_contours")]
 mod cavalier;
 #[cfg(feature = "clipper2")]
