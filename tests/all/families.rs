@@ -21,7 +21,7 @@ proptest! {
     #[test]
     fn sizes_not_listed_are_valid_too(seed: u64, size in 4_u32..30) {
         for name in ["fork", "covered", "combs", "star", "radial", "twoopt", "orthogonal", "holed", "chamfered", "arcs",
-            "bulges", "mixed", "rounded"] {
+            "bulges", "gear", "offset", "mixed", "rounded"] {
             let cases = Family::named(name).map(|f| f.cases_of_size(size, seed)).unwrap_or_default();
             prop_assert!(!cases.is_empty());
             for case in cases {

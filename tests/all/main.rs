@@ -24,6 +24,7 @@ mod mutated_json;
 mod naive;
 mod order;
 mod order_table;
+mod peers;
 mod realize;
 mod regions;
 mod small_polygons;

@@ -50,6 +50,8 @@ const PEERS: &[Sizes] = &[
     ("parts", &[]),
     ("arcs", &[32, 96]),
     ("bulges", &[32, 96]),
+    ("gear", &[32, 96]),
+    ("offset", &[32, 96, 1000]),
     ("mixed", &[12, 24]),
     ("rounded", &[10]),
 ];

@@ -8,7 +8,8 @@ use super::passage::{self, Fit};
 use super::place::turned;
 use super::radial::{self, Bending, bulging};
 use super::rng::Rng;
-use super::{Case, fork, many, parts, twoopt};
+use super::shape::disc;
+use super::{Case, fork, gear, many, parts, twoopt};
 use arcsum::region::Region;
 
 /// A pair of operands with the end of the case's name (empty when a size has but one).
@@ -199,6 +200,20 @@ pub const FAMILIES: &[Family] = &[
         sizes: &[8, 32],
         draws: 1,
         pairs: |n, rng| one((bulging(n, Bending::Out, rng), bulging(n, Bending::Out, rng))),
+    },
+    Family {
+        name: "gear",
+        about: "two gears with rounded teeth, n/4 of them",
+        sizes: &[12, 32],
+        draws: 1,
+        pairs: |n, rng| one((gear::gear(n, rng), gear::gear(n, rng))),
+    },
+    Family {
+        name: "offset",
+        about: "a polygon, arcs, and arcs with a hole, of n segments, and a disc",
+        sizes: &[16, 32],
+        draws: 1,
+        pairs: |n, rng| gear::to_offset(n, rng).into_iter().map(|(end, a)| (end.into(), a, disc(0.1))).collect(),
     },
     Family {
         name: "mixed",

@@ -9,6 +9,7 @@ pub mod fig8;
 pub mod files;
 pub mod folder;
 pub mod fork;
+pub mod gear;
 pub mod many;
 pub mod orthogonal;
 pub mod pairs;

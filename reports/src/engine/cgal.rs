@@ -19,14 +19,37 @@ use std::time::Duration;
 pub const COMMAND: &str = "cgal";
 
 /// Whoever measures has a shorter limit; this one is for those who have none.
-pub(super) const LIMIT: Duration = Duration::from_secs(600);
+const LIMIT: Duration = Duration::from_secs(600);
+
+/// A process of this program that asks CGAL, once it is needed.
+#[derive(Debug, Default)]
+pub(super) struct Process(Option<Child>);
+
+impl Process {
+    /// The child that asks.
+    pub(super) fn child(&mut self) -> Result<&mut Child, CgalError> {
+        let child = match self.0.take() {
+            Some(child) => child,
+            None => {
+                let program = std::env::current_exe().map_err(|e| CgalError::Died(e.to_string()))?;
+                Child::new(program, &[COMMAND], LIMIT)
+            }
+        };
+        Ok(self.0.insert(child))
+    }
+
+    /// Its number, once it is there.
+    pub(super) fn id(&self) -> Option<u32> {
+        self.0.as_ref().and_then(Child::process)
+    }
+}
 
 /// CGAL by one method.
 #[derive(Debug)]
 pub struct Cgal {
     name: String,
     method: Method,
-    child: Option<Child>,
+    process: Process,
 }
 
 impl Cgal {
@@ -34,7 +57,7 @@ impl Cgal {
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         let method = name.strip_prefix("cgal:")?.parse().ok()?;
-        Some(Self { name: name.to_owned(), method, child: None })
+        Some(Self { name: name.to_owned(), method, process: Process::default() })
     }
 
     /// The names of all.
@@ -43,23 +66,12 @@ impl Cgal {
         Method::all().map(|method| format!("cgal:{method}")).collect()
     }
 
-    fn child(&mut self) -> Result<&mut Child, EngineError> {
-        let child = match self.child.take() {
-            Some(child) => child,
-            None => {
-                let program = std::env::current_exe().map_err(|e| EngineError::Crashed(e.to_string()))?;
-                Child::new(program, &[COMMAND], LIMIT)
-            }
-        };
-        Ok(self.child.insert(child))
-    }
-
     fn asked(&mut self, a: &Region, b: &Region) -> Result<Answer, CgalError> {
         if !arcsum_cgal::built_in() {
             return Err(CgalError::NotBuiltIn);
         }
         let question = Sum { method: self.method, a: loops(&plain(a))?, b: loops(&plain(b))? };
-        let answer = self.child().map_err(|e| CgalError::Died(e.to_string()))?.ask(&question)?;
+        let answer = self.process.child()?.ask(&question)?;
         let region = match self.method.kernel() {
             Kernel::Inexact => rounded(&answer.loops),
             Kernel::Exact | Kernel::Rational => rounded(answer.region()?.loops()),
@@ -88,7 +100,7 @@ impl Engine for Cgal {
 
     fn abilities(&self) -> Abilities {
         let holes = self.method.strategy().takes_holes();
-        Abilities { arcs: false, holes, unbounded: false, pieces: false, discs_only: false }
+        Abilities { holes, ..Abilities::NONE }
     }
 
     fn sum(&mut self, a: &Region, b: &Region) -> Result<Answer, EngineError> {
@@ -96,7 +108,7 @@ impl Engine for Cgal {
     }
 
     fn process(&self) -> Option<u32> {
-        self.child.as_ref().and_then(Child::process)
+        self.process.id()
     }
 }
 

@@ -34,6 +34,9 @@ impl Abilities {
     /// Everything a case can ask for.
     pub const ALL: Self = Self { arcs: true, holes: true, unbounded: true, pieces: true, discs_only: false };
 
+    /// The sum of two polygons without holes.
+    pub const NONE: Self = Self { arcs: false, holes: false, unbounded: false, pieces: false, discs_only: false };
+
     /// Whether this suffices for the sum of the two.
     #[must_use]
     pub fn cover(self, a: &Region, b: &Region) -> bool {

@@ -4,11 +4,10 @@
 //! The polygon is moved by the disc's centre first, exactly. Vertices and bulges of the answer are rounded to the nearest
 //! doubles. The approximate offset is asked for with an error of at most 1e-9 of the unit box. The time is CGAL's own.
 
-use super::cgal::{COMMAND, LIMIT, refusal};
+use super::cgal::{Process, refusal};
 use super::{Abilities, Answer, Engine, EngineError, Times};
 use crate::bridge::{plain, region, unit};
 use arcsum::region::Region;
-use arcsum_cgal::child::Child;
 use arcsum_cgal::curved::Offset as Approximate;
 use arcsum_cgal::error::CgalError;
 use arcsum_cgal::offset::Offset as Exact;
@@ -27,25 +26,14 @@ const ERROR: f64 = 1e-9;
 #[derive(Debug)]
 pub struct Offset {
     name: &'static str,
-    child: Option<Child>,
+    process: Process,
 }
 
 impl Offset {
     /// The engine of this name, if it is one of them.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
-        NAMES.into_iter().find(|known| *known == name).map(|name| Self { name, child: None })
-    }
-
-    fn child(&mut self) -> Result<&mut Child, CgalError> {
-        let child = match self.child.take() {
-            Some(child) => child,
-            None => {
-                let program = std::env::current_exe().map_err(|e| CgalError::Died(e.to_string()))?;
-                Child::new(program, &[COMMAND], LIMIT)
-            }
-        };
-        Ok(self.child.insert(child))
+        NAMES.into_iter().find(|known| *known == name).map(|name| Self { name, process: Process::default() })
     }
 
     fn asked(&mut self, a: &Region, b: &Region) -> Result<(PlainRegion, Duration), CgalError> {
@@ -57,10 +45,10 @@ impl Offset {
             |ring: &Vec<_>| ring.iter().map(|p: &arcsum_oracle::point::Point<_>| p.plus(&disc.centre)).collect();
         let (region, radius) = (loops(&polygon)?.iter().map(moved).collect(), disc.radius);
         if self.name == NAMES[0] {
-            let answer = self.child()?.ask(&Exact { region, radius })?;
+            let answer = self.process.child()?.ask(&Exact { region, radius })?;
             return Ok((answer.to_plain(), answer.time));
         }
-        let answer = self.child()?.ask(&Approximate { region, radius, error: ERROR * unit(a, b) })?;
+        let answer = self.process.child()?.ask(&Approximate { region, radius, error: ERROR * unit(a, b) })?;
         Ok((answer.to_plain(), answer.time))
     }
 }
@@ -81,7 +69,11 @@ impl Engine for Offset {
     }
 
     fn abilities(&self) -> Abilities {
-        Abilities { arcs: false, holes: true, unbounded: false, pieces: false, discs_only: true }
+        Abilities { holes: true, discs_only: true, ..Abilities::NONE }
+    }
+
+    fn process(&self) -> Option<u32> {
+        self.process.id()
     }
 
     fn sum(&mut self, a: &Region, b: &Region) -> Result<Answer, EngineError> {

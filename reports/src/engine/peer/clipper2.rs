@@ -1,8 +1,10 @@
-//! `clipper2:union` and `clipper2:minkowski`: Angus Johnson's C++ library by its binding of the same name.
+//! `clipper2:union`, `clipper2:flat-1e-3`, `clipper2:flat-1e-6` and `clipper2:minkowski`: Angus Johnson's C++ library by its
+//! binding of the same name.
 //!
+//! The flat ones take chords for arcs, with a sagitta of at most so many unit-box lengths.
 //! Its own sum is that of the two boundaries: it has a hole where one operand fits inside the other.
 
-use super::{Abilities, EngineError, Outcome, Peer, Ring, UNITES, Way};
+use super::{Abilities, EngineError, Outcome, Peer, Ring, UNITES, UNITES_ARCS, Way};
 use clipper2::{ClipperError, FillRule, One, Path, Paths, Point, minkowski_sum, union};
 
 /// The versions of the crate and of what it binds.
@@ -13,15 +15,30 @@ const BITS: i32 = 50;
 
 /// The union.
 pub const UNION: Peer =
-    Peer { name: "clipper2:union", version: VERSION, bits: BITS, abilities: UNITES, way: Way::Union(unite) };
+    Peer { name: "clipper2:union", version: VERSION, abilities: UNITES, way: Way::Union { bits: BITS, unite } };
+
+/// The union, arcs flattened coarsely.
+pub const COARSE: Peer = Peer {
+    name: "clipper2:flat-1e-3",
+    version: VERSION,
+    abilities: UNITES_ARCS,
+    way: Way::Flat { sagitta: 1e-3, bits: BITS, unite },
+};
+
+/// The union, arcs flattened finely.
+pub const FINE: Peer = Peer {
+    name: "clipper2:flat-1e-6",
+    version: VERSION,
+    abilities: UNITES_ARCS,
+    way: Way::Flat { sagitta: 1e-6, bits: BITS, unite },
+};
 
 /// Its own sum, of two paths.
 pub const MINKOWSKI: Peer = Peer {
     name: "clipper2:minkowski",
     version: VERSION,
-    bits: BITS,
-    abilities: Abilities { arcs: false, holes: false, unbounded: false, pieces: false },
-    way: Way::Minkowski(sum),
+    abilities: Abilities::NONE,
+    way: Way::Minkowski { bits: BITS, sum },
 };
 
 fn unite(rings: &[Ring]) -> Outcome {

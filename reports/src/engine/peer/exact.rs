@@ -19,9 +19,10 @@ fn exact(judgement: &Judgement) -> bool {
     judgement.mu_hi == Some(0.0) && judgement.failed_checks.is_empty()
 }
 
-/// The engines that unite, and shipped sums that hold what they promise.
+/// The engines that unite on a grid, and shipped sums that hold what they promise.
 fn truthful() -> impl Iterator<Item = Peer> {
-    PEERS.iter().copied().filter(|peer| peer.name != "clipper2:minkowski")
+    let on_a_grid = |peer: &Peer| !matches!(peer.way, Way::Curves(_) | Way::Offset { .. });
+    PEERS.iter().copied().filter(on_a_grid).filter(|peer| peer.name != "clipper2:minkowski")
 }
 
 #[test]
@@ -62,9 +63,9 @@ fn a_sum_of_boundaries_is_found_out() {
 fn versions_are_those_that_are_pinned() {
     let manifest = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../Cargo.toml")).unwrap();
     for peer in PEERS {
-        let (crate_name, version) = (peer.name.split(':').next().unwrap(), peer.version.split(' ').next().unwrap());
+        let (name, version) = (peer.name.split(':').next().unwrap(), peer.version.split(' ').next().unwrap());
+        let crate_name = FEATURES.iter().find(|feature| feature.starts_with(name)).unwrap();
         let line = manifest.lines().find(|line| line.starts_with(&format!("{crate_name} = "))).unwrap();
         assert!(line.contains(&format!("\"={version}\"")), "{line}");
-        assert!(FEATURES.contains(&crate_name));
     }
 }

@@ -1,12 +1,10 @@
 //! Integer coordinates: regions and the cycles of their convolution on a grid, and back.
 
 use super::EngineError;
-use arcsum::convolution::kinetic;
+use super::curves::convolved;
+use super::walks::walks;
 use arcsum::frame::Frame;
-use arcsum::piece::Pieces;
 use arcsum::region::{Node, Region};
-use arcsum::smooth::{Smooth, SmoothError};
-use arcsum::sum3::Rounding;
 use glam::DVec2;
 
 /// A closed polygon: its corners on the grid, the last joined to the first.
@@ -40,12 +38,9 @@ impl Grid {
     /// # Errors
     /// [`EngineError::Invalid`] when an operand is degenerate.
     pub fn cycles(&self, a: &Region, b: &Region) -> Result<Vec<Ring>, EngineError> {
-        let refused = |error: SmoothError| EngineError::Invalid(error.to_string());
-        let a = Smooth::new(a, &self.frames.0).map_err(refused)?;
-        let b = Smooth::new(b, &self.frames.1).map_err(refused)?;
-        let plane = || EngineError::Invalid("the sum is the whole plane".into());
-        let pieces = kinetic(&a, &b, Rounding::Correct).ok_or_else(plane)?;
-        let ring = |walk: Vec<u32>| walk.into_iter().map(|v| self.point(pieces.points[v as usize])).collect();
+        let pieces = convolved(a, b, &self.frames)?;
+        let tail = |index: usize| pieces.points[pieces.pieces[index].tail as usize];
+        let ring = |walk: Vec<usize>| walk.into_iter().map(|index| self.point(tail(index))).collect();
         Ok(walks(&pieces).into_iter().map(ring).collect())
     }
 
@@ -62,24 +57,4 @@ impl Grid {
     fn point(&self, p: DVec2) -> [i64; 2] {
         [p.x, p.y].map(|x| libm::rint(libm::ldexp(x, self.bits)) as i64)
     }
-}
-
-/// The pieces as closed walks over their vertices. Every vertex has as many pieces in as out, so a walk can only end where
-/// it began; which piece follows which does not matter to winding numbers.
-fn walks(pieces: &Pieces) -> Vec<Vec<u32>> {
-    let mut heads = vec![Vec::new(); pieces.points.len()];
-    pieces.pieces.iter().for_each(|piece| heads[piece.tail as usize].push(piece.head));
-    let mut walks = Vec::new();
-    for start in 0..heads.len() {
-        while let Some(mut at) = heads[start].pop() {
-            let mut walk = vec![start as u32];
-            while at as usize != start {
-                walk.push(at);
-                let next = heads[at as usize].pop();
-                at = next.expect("a convolution is closed");
-            }
-            walks.push(walk);
-        }
-    }
-    walks
 }

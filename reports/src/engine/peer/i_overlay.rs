@@ -12,11 +12,15 @@ const VERSION: &str = "9.1.0";
 
 /// With 32 bits, the crate's default: coordinates may need 30.
 pub const NARROW: Peer =
-    Peer { name: "i_overlay", version: VERSION, bits: 28, abilities: UNITES, way: Way::Union(unite_narrow) };
+    Peer { name: "i_overlay", version: VERSION, abilities: UNITES, way: Way::Union { bits: 28, unite: unite_narrow } };
 
 /// With 64 bits: coordinates may need 62.
-pub const WIDE: Peer =
-    Peer { name: "i_overlay:i64", version: VERSION, bits: 60, abilities: UNITES, way: Way::Union(unite_wide) };
+pub const WIDE: Peer = Peer {
+    name: "i_overlay:i64",
+    version: VERSION,
+    abilities: UNITES,
+    way: Way::Union { bits: 60, unite: unite_wide },
+};
 
 fn unite_narrow(rings: &[Ring]) -> Outcome {
     unite(rings, |x| x as i32, i64::from)

@@ -1,43 +1,46 @@
-//! Engines of others in this process, on polygons: each behind a cargo feature of its name, at one version.
+//! Engines of others in this process: each behind a cargo feature of its crate's name, at one version.
 //!
-//! They compute on integers. A `NAME` unites the kinetic convolution of this project (MS 3), cut into closed cycles, by the
-//! nonzero rule; a `NAME:minkowski` is a sum they ship themselves. Coordinates are those of the unit box times a power of
-//! two, the finest grid that the engine takes, rounded to integers: what that loses is part of their error. The time of
-//! the union, and of the shipped sum, is that of the arrangement.
+//! Most compute on integers. A `NAME` or `NAME:union` unites the kinetic convolution of this project (MS 3), cut into closed
+//! cycles, by the nonzero rule; a `NAME:minkowski` is a sum they ship themselves. Coordinates are those of the unit box times
+//! a power of two, the finest grid that the engine takes, rounded to integers: what that loses is part of their error. The
+//! time of the union, and of the shipped sum, is that of the arrangement.
+//!
+//! For arcs there are a union that takes them, unions of operands with chords for arcs, and an offset, the sum with a disc.
+//! Nobody else sums two general regions with arcs.
 
+#[cfg(test)]
+mod arcs;
+#[cfg(feature = "cavalier_contours")]
+mod cavalier;
 #[cfg(feature = "clipper2")]
 mod clipper2;
+mod curves;
 #[cfg(all(test, any(feature = "i_overlay", feature = "clipper2", feature = "polyclip")))]
 mod exact;
+mod flat;
 mod grid;
+#[cfg(feature = "i_curve")]
+mod i_curve;
 #[cfg(feature = "i_overlay")]
 mod i_overlay;
+mod offset;
 #[cfg(feature = "polyclip")]
 mod polyclip;
 #[cfg(test)]
 mod tests;
+mod walks;
+mod way;
 
-use super::{Abilities, Answer, Engine, EngineError, Times};
+use super::{Abilities, Answer, Engine, EngineError};
 use arcsum::region::Region;
-use grid::Grid;
+pub use curves::Stretch;
 pub use grid::Ring;
+pub use offset::Offset;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::time::Instant;
+pub use way::{Loops, Outcome, Way};
 
 /// The features that bring engines of others.
-pub const FEATURES: &[&str] = &["i_overlay", "clipper2", "polyclip"];
-
-/// Rings around a result, the interior on the left; or why there are none.
-pub type Outcome = Result<Vec<Ring>, EngineError>;
-
-/// What an engine is given, and what makes a sum of it.
-#[derive(Clone, Copy, Debug)]
-pub enum Way {
-    /// The union of closed cycles.
-    Union(fn(&[Ring]) -> Outcome),
-    /// The sum of two regions, each by its loops.
-    Minkowski(fn(&[Ring], &[Ring]) -> Outcome),
-}
+pub const FEATURES: &[&str] = &["cavalier_contours", "clipper2", "i_curve", "i_overlay", "polyclip"];
 
 /// An engine of somebody else.
 #[derive(Clone, Copy, Debug)]
@@ -46,8 +49,6 @@ pub struct Peer {
     pub name: &'static str,
     /// Its version.
     pub version: &'static str,
-    /// The unit box is so many bits wide; integers need two bits more, and a sign.
-    pub bits: i32,
     /// What it can do.
     pub abilities: Abilities,
     /// How it sums.
@@ -63,15 +64,28 @@ const PEERS: &[Peer] = &[
     #[cfg(feature = "clipper2")]
     clipper2::UNION,
     #[cfg(feature = "clipper2")]
+    clipper2::COARSE,
+    #[cfg(feature = "clipper2")]
+    clipper2::FINE,
+    #[cfg(feature = "clipper2")]
     clipper2::MINKOWSKI,
     #[cfg(feature = "polyclip")]
     polyclip::UNION,
     #[cfg(feature = "polyclip")]
     polyclip::MINKOWSKI,
+    #[cfg(feature = "i_curve")]
+    i_curve::NARROW,
+    #[cfg(feature = "i_curve")]
+    i_curve::WIDE,
+    #[cfg(feature = "cavalier_contours")]
+    cavalier::OFFSET,
 ];
 
 /// What the unions can do: all that the convolution of bounded polygons can.
-pub const UNITES: Abilities = Abilities { arcs: false, unbounded: false, ..Abilities::ALL };
+pub const UNITES: Abilities = Abilities { arcs: false, ..UNITES_ARCS };
+
+/// The same with arcs.
+pub const UNITES_ARCS: Abilities = Abilities { unbounded: false, ..Abilities::ALL };
 
 impl Peer {
     /// The engine of this name, if it is one of them and built in.
@@ -87,33 +101,12 @@ impl Peer {
     }
 
     fn answered(&self, a: &Region, b: &Region) -> Result<Answer, EngineError> {
-        let start = Instant::now();
-        let grid = Grid::new(a, b, self.bits);
-        let (rings, convolved) = match self.way {
-            Way::Union(unite) => {
-                let cycles = grid.cycles(a, b)?;
-                let convolved = Instant::now();
-                (unite(&cycles)?, convolved)
-            }
-            Way::Minkowski(sum) => {
-                let [a, b] = grid.operands(a, b);
-                let ready = Instant::now();
-                (sum(&a, &b)?, ready)
-            }
-        };
-        let arranged = Instant::now();
+        let answer = self.way.sum(a, b)?;
         // The sum of two regions has points.
-        if rings.is_empty() {
+        if answer.region.loops.iter().all(Vec::is_empty) {
             return Err(EngineError::Invalid("its answer is empty".into()));
         }
-        let region = grid.region(&rings);
-        let times = Times {
-            total: Some(start.elapsed()),
-            convolution: matches!(self.way, Way::Union(_)).then(|| convolved - start),
-            arrangement: Some(arranged - convolved),
-            extraction: None,
-        };
-        Ok(Answer { region, times, ..Answer::default() })
+        Ok(answer)
     }
 }
 
@@ -128,6 +121,13 @@ impl Engine for Peer {
 
     fn abilities(&self) -> Abilities {
         self.abilities
+    }
+
+    fn resolution(&self) -> Option<f64> {
+        match self.way {
+            Way::Flat { sagitta, .. } => Some(sagitta),
+            _ => None,
+        }
     }
 
     fn sum(&mut self, a: &Region, b: &Region) -> Result<Answer, EngineError> {

@@ -11,15 +11,14 @@ const BITS: i32 = 38;
 
 /// The union.
 pub const UNION: Peer =
-    Peer { name: "polyclip", version: VERSION, bits: BITS, abilities: UNITES, way: Way::Union(unite) };
+    Peer { name: "polyclip", version: VERSION, abilities: UNITES, way: Way::Union { bits: BITS, unite } };
 
 /// Its own sum, of two polygons with holes.
 pub const MINKOWSKI: Peer = Peer {
     name: "polyclip:minkowski",
     version: VERSION,
-    bits: BITS,
-    abilities: Abilities { arcs: false, holes: true, unbounded: false, pieces: false },
-    way: Way::Minkowski(sum),
+    abilities: Abilities { holes: true, ..Abilities::NONE },
+    way: Way::Minkowski { bits: BITS, sum },
 };
 
 fn unite(rings: &[Ring]) -> Outcome {

@@ -1,5 +1,6 @@
 //! Cycles of the convolution, and peers that fail.
 
+use super::grid::Grid;
 use super::*;
 use crate::cases::fork::fork;
 use crate::cases::shape::{disc, polygon, rectangle};
@@ -14,7 +15,7 @@ pub fn square(side: f64) -> Region {
 }
 
 fn planted(unite: fn(&[Ring]) -> Outcome) -> Peer {
-    Peer { name: "planted", version: "0", bits: 20, abilities: UNITES, way: Way::Union(unite) }
+    Peer { name: "planted", version: "0", abilities: UNITES, way: Way::Union { bits: 20, unite } }
 }
 
 #[test]
