@@ -14,6 +14,7 @@ use crate::bench::{Effort, time};
 use crate::cases::Case;
 use crate::cases::source::{collect, number_repeats};
 use crate::engine::Engine;
+use crate::engine::cgal::NOT_BUILT_IN;
 use crate::engine::registry::engine;
 use crate::environment::Environment;
 use crate::page;
@@ -26,16 +27,17 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 /// Arguments of `arcsum bench`.
-#[derive(Debug, Args)]
+#[derive(Clone, Debug, Args)]
 pub struct BenchArgs {
     /// Files, folders, families (`fork`), or families of one size (`fork_5`).
     cases: Vec<String>,
-    /// Cases timed besides those named, and when none are named [default: growth]: families of growing size, the nine parts
+    /// Cases timed besides those named, and when none are named [default: peers]: families of growing size, the nine parts
     /// and convex parts in containers, or what engines of others are compared on.
     #[arg(long, value_enum)]
     suite: Option<Suite>,
-    /// An engine, as for `verify`; can be given again. Times are compared with those of the first.
-    #[arg(long = "engine", default_values = ["kinetic", "monotonic"])]
+    /// An engine, as for `verify`; can be given again. Times are compared with those of the first [default: ours with culling
+    /// and those of others that are built in].
+    #[arg(long = "engine")]
     engines: Vec<String>,
     /// Runs of each engine on each case; less when it takes long, never below three.
     #[arg(long, default_value_t = 7)]
@@ -63,6 +65,31 @@ pub struct BenchArgs {
     page: bool,
 }
 
+/// The engines that are timed when none are named, ours first.
+const COMPARED: [&str; 11] = [
+    "monotonic-culled",
+    "kinetic-culled",
+    "cgal:reduced:exact",
+    "cgal:small-side:exact",
+    "cgal:vertical:exact",
+    "cgal:reduced:inexact",
+    "clipper2:minkowski",
+    "clipper2:union",
+    "i_overlay",
+    "cavalier",
+    "clipper2:flat-1e-3",
+];
+
+/// Those of them that are built in.
+fn compared() -> Vec<String> {
+    let is_built_in = |name: &&str| engine(name).is_ok_and(|engine| engine.version() != NOT_BUILT_IN);
+    let (there, missing): (Vec<&str>, Vec<&str>) = COMPARED.into_iter().partition(is_built_in);
+    if !missing.is_empty() {
+        eprintln!("arcsum: left out, for they are not built in: {}", missing.join(", "));
+    }
+    there.into_iter().map(str::to_owned).collect()
+}
+
 /// Times the engines.
 ///
 /// # Errors
@@ -71,6 +98,8 @@ pub fn bench(args: &BenchArgs) -> Result<u8, Failure> {
     if args.page {
         return page(args).map(|()| 0);
     }
+    let engines = if args.engines.is_empty() { compared() } else { args.engines.clone() };
+    let args = &BenchArgs { engines, ..args.clone() };
     let stop = interrupt::flag()?;
     let (plan, bad) = plan(args)?;
     let mut bench = Bench::new(args)?;
@@ -97,7 +126,7 @@ fn page(args: &BenchArgs) -> Result<(), Failure> {
 /// The cases and engines, and whether some file held no region.
 fn plan(args: &BenchArgs) -> Result<(Plan, bool), Failure> {
     let mut bad = false;
-    let suite = args.suite.or(args.cases.is_empty().then_some(Suite::Growth));
+    let suite = args.suite.or(args.cases.is_empty().then_some(Suite::Peers));
     let mut cases = suite.map_or(Vec::new(), |suite| suite.cases(args.seed));
     if !args.cases.is_empty() {
         let found = collect(&args.cases, args.seed).map_err(Failure::input)?;

@@ -45,7 +45,24 @@ fn time_sums(args: &ReportArgs) -> Result<(), Failure> {
     let program = std::env::current_exe().map_err(Failure::other)?;
     let seed = args.run.seed.to_string();
     let ended = Command::new(program)
-        .args(["bench", "--runs", "3", "--max-vertices", "150000", "--time-limit", "5", "--seed", &seed, "--out"])
+        .args([
+            "bench",
+            "--suite",
+            "growth",
+            "--engine",
+            "kinetic",
+            "--engine",
+            "monotonic",
+            "--runs",
+            "3",
+            "--max-vertices",
+            "150000",
+            "--time-limit",
+            "5",
+            "--seed",
+            &seed,
+            "--out",
+        ])
         .arg(&args.run.out)
         .stdout(Stdio::null())
         .status()

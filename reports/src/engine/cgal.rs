@@ -18,6 +18,9 @@ use std::time::Duration;
 /// The command of this program that answers CGAL's questions.
 pub const COMMAND: &str = "cgal";
 
+/// The version of an engine that is not there.
+pub const NOT_BUILT_IN: &str = "not built in";
+
 /// Whoever measures has a shorter limit; this one is for those who have none.
 const LIMIT: Duration = Duration::from_secs(600);
 
@@ -95,7 +98,7 @@ impl Engine for Cgal {
     }
 
     fn version(&self) -> String {
-        arcsum_cgal::version().unwrap_or_else(|| "not built in".to_owned())
+        arcsum_cgal::version().unwrap_or_else(|| NOT_BUILT_IN.to_owned())
     }
 
     fn abilities(&self) -> Abilities {
@@ -133,7 +136,7 @@ mod tests {
         for name in Cgal::names() {
             let engine = engine(&name).unwrap();
             assert_eq!(engine.name(), name);
-            assert_eq!(engine.version() == "not built in", !arcsum_cgal::built_in());
+            assert_eq!(engine.version() == NOT_BUILT_IN, !arcsum_cgal::built_in());
         }
         assert!(Cgal::named("cgal:").is_none() && Cgal::named("cgal:optimal:inexact").is_none());
     }

@@ -4,7 +4,7 @@
 //! The polygon is moved by the disc's centre first, exactly. Vertices and bulges of the answer are rounded to the nearest
 //! doubles. The approximate offset is asked for with an error of at most 1e-9 of the unit box. The time is CGAL's own.
 
-use super::cgal::{Process, refusal};
+use super::cgal::{NOT_BUILT_IN, Process, refusal};
 use super::{Abilities, Answer, Engine, EngineError, Times};
 use crate::bridge::{plain, region, unit};
 use arcsum::region::Region;
@@ -65,7 +65,7 @@ impl Engine for Offset {
     }
 
     fn version(&self) -> String {
-        arcsum_cgal::version().unwrap_or_else(|| "not built in".to_owned())
+        arcsum_cgal::version().unwrap_or_else(|| NOT_BUILT_IN.to_owned())
     }
 
     fn abilities(&self) -> Abilities {
