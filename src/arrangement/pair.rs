@@ -22,12 +22,16 @@ impl Pair<'_> {
         if self.cannot_cross(joined, meeting) {
             return Crossings::none(self.order_at_shared(joined));
         }
-        if self.f.is_line() && self.g.is_line() && (self.f.is_steep_line() || self.g.is_steep_line()) {
+        let lines = self.f.is_line() && self.g.is_line();
+        if lines && (self.f.is_steep_line() || self.g.is_steep_line()) {
             return self.steep_lines();
+        }
+        let (start, end) = (self.sign_at_start(), self.sign_at_end());
+        if lines && start * end > 0 {
+            return Crossings::none(start < 0);
         }
         let (candidates, count) = self.candidates(joined, meeting);
         let candidates = &candidates[..count];
-        let (start, end) = (self.sign_at_start(), self.sign_at_end());
         if count == 0 && start * end < 0 {
             return Crossings::at(start < 0, &[self.moment(self.bisect(start))]);
         }
