@@ -16,9 +16,11 @@ mod shim {
     use std::path::{Path, PathBuf};
 
     /// Each is heavy to compile and instantiates what no other one does.
-    const FILES: [&str; 7] = [
+    const FILES: [&str; 9] = [
         "circles",
         "decompose_exact",
+        "decompose_rational",
+        "decompose_inexact",
         "convolve_exact",
         "convolve_inexact",
         "convolve_rational",

@@ -1,36 +1,13 @@
-// Sums by decomposition into convex pieces, with the exact kernel; and what makes a polygon with holes valid, in the same
-// file because both instantiate the same sweeps, which are heavy to compile.
+// The decompositions with the exact kernel; and what makes a polygon with holes valid, in the same file because both instantiate the same sweeps, which are heavy to compile.
 
 #include <CGAL/Boolean_set_operations_2/Gps_polygon_validation.h>
 #include <CGAL/Gps_segment_traits_2.h>
-#include <CGAL/Polygon_convex_decomposition_2.h>
-#include <CGAL/Polygon_triangulation_decomposition_2.h>
-#include <CGAL/Polygon_vertical_decomposition_2.h>
-#include <CGAL/Small_side_angle_bisector_decomposition_2.h>
-#include <CGAL/minkowski_sum_2.h>
 
-#include "sums.h"
+#include "decompositions.h"
 
 namespace {
 
 using namespace shim;
-
-// By a decomposition that takes polygons with holes.
-template <class Decomposition>
-std::string with_holes(const Operands& of) {
-  return sum_with<Exact>(of, [](const Region<Exact>& a, const Region<Exact>& b) {
-    return CGAL::minkowski_sum_2(a, b, Decomposition(), Decomposition());
-  });
-}
-
-// By one that does not.
-template <class Decomposition>
-std::string without_holes(const Operands& of) {
-  return sum_with<Exact>(of, [](const Region<Exact>& a, const Region<Exact>& b) {
-    if (a.has_holes() || b.has_holes()) throw Refusal("this decomposition takes no holes");
-    return CGAL::minkowski_sum_2(a.outer_boundary(), b.outer_boundary(), Decomposition(), Decomposition());
-  });
-}
 
 std::string name(std::size_t i) { return "loop " + std::to_string(i); }
 
@@ -43,17 +20,7 @@ void check_simple(const std::vector<Loop<Exact>>& all) {
 
 }  // namespace
 
-std::string shim::decompose_exact(Strategy strategy, const Operands& of) {
-  switch (strategy) {
-    case SMALL_SIDE: return without_holes<CGAL::Small_side_angle_bisector_decomposition_2<Exact>>(of);
-    case OPTIMAL: return without_holes<CGAL::Optimal_convex_decomposition_2<Exact>>(of);
-    case HERTEL_MEHLHORN: return without_holes<CGAL::Hertel_Mehlhorn_convex_decomposition_2<Exact>>(of);
-    case GREENE: return without_holes<CGAL::Greene_convex_decomposition_2<Exact>>(of);
-    case VERTICAL: return with_holes<CGAL::Polygon_vertical_decomposition_2<Exact>>(of);
-    case TRIANGULATION: return with_holes<CGAL::Polygon_triangulation_decomposition_2<Exact>>(of);
-    default: throw Refusal("not a decomposition");
-  }
-}
+std::string shim::decompose_exact(Strategy strategy, const Operands& of) { return decompose<Exact>(strategy, of); }
 
 std::size_t shim::outer_loop(const std::string& text) {
   const std::vector<Loop<Exact>> all = loops<Exact>(text);

@@ -29,14 +29,11 @@ std::string sum(int strategy, int kernel, const char* a, const char* b) {
   if (strategy < REDUCED || strategy > TRIANGULATION) throw Refusal("no such strategy");
   const Strategy how = static_cast<Strategy>(strategy);
   const Operands of{a, b, outer_loop(a), outer_loop(b)};
-  if (how != REDUCED && how != FULL) {
-    if (kernel != EXACT) throw Refusal("decompositions are built in with the exact kernel only");
-    return decompose_exact(how, of);
-  }
+  const bool convolves = how == REDUCED || how == FULL;
   switch (kernel) {
-    case EXACT: return convolve_exact(how, of);
-    case RATIONAL: return convolve_rational(how, of);
-    case INEXACT: return convolve_inexact(how, of);
+    case EXACT: return convolves ? convolve_exact(how, of) : decompose_exact(how, of);
+    case RATIONAL: return convolves ? convolve_rational(how, of) : decompose_rational(how, of);
+    case INEXACT: return convolves ? convolve_inexact(how, of) : decompose_inexact(how, of);
     default: throw Refusal("no such kernel");
   }
 }

@@ -33,11 +33,13 @@ std::string sum_with(const Operands& of, const Sum& sum) {
   return out.str();
 }
 
-// The convolutions with each kernel, and the decompositions with the exact one.
+// The convolutions and the decompositions with each kernel.
 std::string convolve_exact(Strategy strategy, const Operands& of);
 std::string convolve_rational(Strategy strategy, const Operands& of);
 std::string convolve_inexact(Strategy strategy, const Operands& of);
 std::string decompose_exact(Strategy strategy, const Operands& of);
+std::string decompose_rational(Strategy strategy, const Operands& of);
+std::string decompose_inexact(Strategy strategy, const Operands& of);
 
 // Offsets, and a set operation.
 std::string offset_exact(const std::string& of, std::size_t outer, const std::string& radius);

@@ -42,10 +42,6 @@ impl Strategy {
     pub fn takes_holes(self) -> bool {
         matches!(self, Self::Reduced | Self::Vertical | Self::Triangulation)
     }
-
-    fn is_convolution(self) -> bool {
-        matches!(self, Self::Reduced | Self::Full)
-    }
 }
 
 /// A kernel: the numbers that CGAL computes with. The order is that of the C ABI.
@@ -65,7 +61,7 @@ impl Kernel {
         [(Self::Exact, "exact"), (Self::Rational, "rational"), (Self::Inexact, "inexact")];
 }
 
-/// A strategy and a kernel that are built in together: convolutions with all kernels, decompositions with the exact one.
+/// A strategy and a kernel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Method {
     strategy: Strategy,
@@ -73,16 +69,15 @@ pub struct Method {
 }
 
 impl Method {
-    /// The method, if it is built in.
+    /// The method.
     #[must_use]
-    pub fn new(strategy: Strategy, kernel: Kernel) -> Option<Self> {
-        (strategy.is_convolution() || kernel == Kernel::Exact).then_some(Self { strategy, kernel })
+    pub fn new(strategy: Strategy, kernel: Kernel) -> Self {
+        Self { strategy, kernel }
     }
 
     /// All methods.
     pub fn all() -> impl Iterator<Item = Self> {
-        let pairs = Strategy::ALL.into_iter().flat_map(|(s, _)| Kernel::ALL.into_iter().map(move |(k, _)| (s, k)));
-        pairs.filter_map(|(strategy, kernel)| Self::new(strategy, kernel))
+        Strategy::ALL.into_iter().flat_map(|(s, _)| Kernel::ALL.into_iter().map(move |(k, _)| Self::new(s, k)))
     }
 
     /// The strategy.
@@ -125,11 +120,11 @@ mod tests {
 
     #[test]
     fn methods_answer_to_their_names() {
-        assert_eq!(Method::all().count(), 2 * 3 + 6);
+        assert_eq!(Method::all().count(), 8 * 3);
         for method in Method::all() {
             assert_eq!(method.to_string().parse(), Ok(method));
         }
-        assert!("optimal:rational".parse::<Method>().is_err());
+        assert!("optimal:real".parse::<Method>().is_err());
         assert_eq!("reduced:exact".parse::<Method>().map(Method::strategy), Ok(Strategy::Reduced));
     }
 
