@@ -138,7 +138,7 @@ mod tests {
             assert_eq!(engine.name(), name);
             assert_eq!(engine.version() == NOT_BUILT_IN, !arcsum_cgal::built_in());
         }
-        assert!(Cgal::named("cgal:").is_none() && Cgal::named("cgal:optimal:inexact").is_none());
+        assert!(Cgal::named("cgal:").is_none() && Cgal::named("cgal:optimal:real").is_none());
     }
 
     #[test]
