@@ -1,6 +1,8 @@
 // The exact offset of a polygon by a disc: lines and circle segments of rational conics, vertices that are algebraic numbers
 // of CORE. Each vertex crosses the ABI as a rational number close by, together with a bound of its distance.
 
+#include "core.h"
+
 #include <CGAL/Arr_conic_traits_2.h>
 #include <CGAL/CORE_algebraic_number_traits.h>
 #include <CGAL/Cartesian.h>
