@@ -4,6 +4,7 @@ pub mod attack;
 pub mod bench;
 pub mod bridge;
 pub mod cases;
+pub mod claims;
 pub mod command;
 pub mod engine;
 pub mod environment;

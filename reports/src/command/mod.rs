@@ -4,6 +4,7 @@
 
 pub mod attack;
 pub mod bench;
+pub mod claims;
 pub mod interrupt;
 pub mod iterate;
 pub mod repeat;
@@ -39,6 +40,8 @@ enum Command {
     Report(report::ReportArgs),
     /// Measure a witness again and say whether it still holds.
     Replay(replay::ReplayArgs),
+    /// Test the claims of the papers and print their verdicts.
+    Claims(claims::ClaimsArgs),
     /// Search for cases that a claim does not hold for.
     Attack(attack::AttackArgs),
     /// Time engines against each other and against sorting.
@@ -114,6 +117,7 @@ pub fn main() -> ExitCode {
         Command::Verify(args) => verify::verify(&args),
         Command::Report(args) => report::report(&args),
         Command::Replay(args) => replay::replay(&args),
+        Command::Claims(args) => claims::claims(&args),
         Command::Attack(args) => attack::attack(&args),
         Command::Bench(args) => bench::bench(&args),
         Command::Iterate(args) => iterate::iterate(&args),

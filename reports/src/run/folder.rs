@@ -1,5 +1,5 @@
 //! The output folder of a run: `results.csv`, `journal.jsonl`, `cases/NNNN.json`, `witnesses/NNNN.json`, numbered by the
-//! rows from 1.
+//! rows from 1; `claims.csv`, `claims/ID.json` and `witnesses/ID.json` by claim.
 
 use crate::row::Record;
 use serde::Serialize;
@@ -31,8 +31,9 @@ pub struct Folder {
 }
 
 /// What a run leaves in its folder.
-const FILES: [&str; 10] = [
+const FILES: [&str; 11] = [
     "results.csv",
+    "claims.csv",
     "journal.jsonl",
     "environment.json",
     "goldens.csv",
@@ -43,7 +44,7 @@ const FILES: [&str; 10] = [
     "index.html",
     "bench.html",
 ];
-const FOLDERS: [&str; 3] = ["cases", "witnesses", "pictures"];
+const FOLDERS: [&str; 4] = ["cases", "claims", "witnesses", "pictures"];
 
 impl Folder {
     /// The folder, made if need be, with whatever is in it.
@@ -51,7 +52,7 @@ impl Folder {
     /// # Errors
     /// When it cannot be made.
     pub fn open(path: &Path) -> Result<Self, FolderError> {
-        for inner in ["cases", "witnesses"] {
+        for inner in ["cases", "claims", "witnesses"] {
             let inner = path.join(inner);
             std::fs::create_dir_all(&inner).map_err(|e| FolderError::new(&inner, &e))?;
         }
@@ -72,6 +73,12 @@ impl Folder {
             }
         }
         Self::open(path)
+    }
+
+    /// A folder inside.
+    #[must_use]
+    pub fn inner(&self, name: &str) -> PathBuf {
+        self.path.join(name)
     }
 
     /// The journal.

@@ -1,0 +1,9 @@
+//! The claim about the size of models with and without arcs (MS 1; M2).
+
+use super::Claim;
+
+/// The claims of this family.
+#[must_use]
+pub fn claims() -> Vec<Claim> {
+    Vec::new()
+}
