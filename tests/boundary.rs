@@ -10,7 +10,7 @@ use arcsum_oracle::certified::vector::Vector;
 use rug::Float;
 use std::cmp::Ordering;
 
-use crate::precise::{PRECISION, big, pi, reduced};
+use arcsum_oracle::precise::{PRECISION, big, pi, reduced};
 
 /// Fine enough to tell everything here.
 pub const FINE: Precision = Precision::LADDER[4];

@@ -2,11 +2,8 @@
 
 pub mod boundary;
 pub mod chains;
-mod draw;
 pub mod fiber;
 pub mod monotone;
-pub mod precise;
-pub mod random;
 pub mod shapes;
 pub mod tangle;
 pub mod valid;

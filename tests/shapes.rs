@@ -1,4 +1,4 @@
-//! Random valid regions that shrink: loops around a point, bent at will, with holes.
+//! Rng valid regions that shrink: loops around a point, bent at will, with holes.
 
 use arcsum::region::{Curve, Node, Region};
 use arcsum::validate::validate;

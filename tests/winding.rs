@@ -1,12 +1,12 @@
 //! Winding numbers of points in pieces, counted along a ray, and convolutions to count in.
 
-use crate::random::Random;
 use arcsum::convolution::{kinetic, monotonic};
 use arcsum::frame::Frame;
 use arcsum::piece::{Piece, Pieces};
 use arcsum::smooth::Smooth;
 use arcsum::sum3::Rounding;
 use arcsum_reports::cases::Case;
+use arcsum_reports::cases::rng::Rng;
 use glam::DVec2;
 
 /// Both convolutions of a bounded pair, the kinetic one first.
@@ -41,7 +41,7 @@ pub fn winding(pieces: &Pieces, p: DVec2) -> Option<i32> {
 /// Pairs of winding numbers of random points near some of the vertices, in a whole and in what is left of it.
 #[must_use]
 pub fn before_and_after(whole: &Pieces, left: &Pieces, seed: u64) -> Vec<[i32; 2]> {
-    let mut random = Random::new(seed);
+    let mut random = Rng::new(seed, "tests");
     let mut pair = || {
         let p = *random.pick(&whole.points) + 0.05 * DVec2::new(random.unit() - 0.5, random.unit() - 0.5);
         Some([winding(whole, p)?, winding(left, p)?])

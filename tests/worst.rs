@@ -4,7 +4,8 @@
 //! measures them again; one that has become worse fails. With `ARCSUM_KEEP_WORST` set, a run rewrites the files with
 //! what it found.
 
-use crate::random::Random;
+use arcsum_reports::cases::rng::Rng;
+use arcsum_reports::claims::formulas::formula::Formula;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::PathBuf;
@@ -12,17 +13,8 @@ use std::path::PathBuf;
 /// How many lines a file keeps.
 const KEPT: usize = 4;
 
-/// A formula with a bound for its error.
-pub struct Formula {
-    /// Name, also of the file.
-    pub name: &'static str,
-    /// What the error may be at most, in eps; infinite for a formula known to fail.
-    pub bound: f64,
-    /// Draws an input.
-    pub draw: fn(&mut Random) -> Vec<f64>,
-    /// The error in eps, or `None` if the formula is not for this input.
-    pub error: fn(&[f64]) -> Option<f64>,
-}
+/// The search about a formula.
+pub struct Search(pub Formula);
 
 /// An input and its error in eps.
 #[derive(Clone, Debug)]
@@ -33,7 +25,7 @@ pub struct Worst {
     pub input: Vec<f64>,
 }
 
-impl Formula {
+impl Search {
     /// Measures the kept inputs, then searches with `draws` random inputs and climbs from the worst. Prints a row of
     /// the accuracy table.
     ///
@@ -44,8 +36,11 @@ impl Formula {
         let known = kept.first().map_or(0.0, |w| w.error);
         let kept = self.again(kept);
         let found = self.search(draws, &kept);
-        println!("{:28} worst {:12.4} eps, known {:10.4}, bound {:8.3}", self.name, found[0].error, known, self.bound);
-        assert!(found[0].error <= self.bound, "{}: {:?} exceeds {} eps", self.name, found[0], self.bound);
+        println!(
+            "{:28} worst {:12.4} eps, known {:10.4}, bound {:8.3}",
+            self.0.name, found[0].error, known, self.0.bound
+        );
+        assert!(found[0].error <= self.0.bound, "{}: {:?} exceeds {} eps", self.0.name, found[0], self.0.bound);
         if std::env::var_os("ARCSUM_KEEP_WORST").is_some() {
             self.keep(&found);
         }
@@ -58,8 +53,8 @@ impl Formula {
     #[must_use]
     pub fn again(&self, mut kept: Vec<Worst>) -> Vec<Worst> {
         for old in &mut kept {
-            let now = (self.error)(&old.input).unwrap_or(f64::INFINITY);
-            assert!(now <= old.error * (1.0 + 1e-9), "{}: kept input {old:?} rose to {now} eps", self.name);
+            let now = (self.0.error)(&old.input).unwrap_or(f64::INFINITY);
+            assert!(now <= old.error * (1.0 + 1e-9), "{}: kept input {old:?} rose to {now} eps", self.0.name);
             old.error = now;
         }
         kept
@@ -68,22 +63,22 @@ impl Formula {
     /// The worst inputs of a search, worst first, without a verdict: for formulas that are known to fail.
     #[must_use]
     pub fn search(&self, draws: usize, start: &[Worst]) -> Vec<Worst> {
-        let mut random = Random::new(self.name.bytes().fold(7, |h: u64, b| h.wrapping_mul(31) + u64::from(b)));
+        let mut random = Rng::new(7, self.0.name);
         let mut worst: Vec<Worst> = start.to_vec();
         for _ in 0..draws {
-            let input = (self.draw)(&mut random);
+            let input = (self.0.draw)(&mut random);
             self.offer(&mut worst, input);
         }
         for one in &mut worst {
             *one = self.climb(&mut random, one.clone(), draws / (2 * KEPT));
         }
         worst.sort_by(|x, y| y.error.total_cmp(&x.error));
-        assert!(!worst.is_empty(), "{}: no input was measured", self.name);
+        assert!(!worst.is_empty(), "{}: no input was measured", self.0.name);
         worst
     }
 
     fn offer(&self, worst: &mut Vec<Worst>, input: Vec<f64>) {
-        let Some(error) = (self.error)(&input) else { return };
+        let Some(error) = (self.0.error)(&input) else { return };
         let place = worst.partition_point(|w| w.error >= error);
         if place < KEPT {
             worst.insert(place, Worst { error, input });
@@ -92,16 +87,16 @@ impl Formula {
     }
 
     /// Changes single numbers by a few last places or a small factor as long as the error grows.
-    fn climb(&self, random: &mut Random, mut best: Worst, steps: usize) -> Worst {
+    fn climb(&self, random: &mut Rng, mut best: Worst, steps: usize) -> Worst {
         for _ in 0..steps {
             let mut input = best.input.clone();
             let i = random.below(input.len());
             input[i] = match random.below(3) {
                 0 => random.jitter(input[i], 3),
                 1 => random.jitter(input[i], 1000),
-                _ => input[i] * (1.0 + random.uniform(-1.0, 1.0) * random.decade(-14.0, -1.0)),
+                _ => input[i] * (1.0 + random.between(-1.0, 1.0) * random.decade(-14.0, -1.0)),
             };
-            if let Some(error) = (self.error)(&input).filter(|&e| e > best.error) {
+            if let Some(error) = (self.0.error)(&input).filter(|&e| e > best.error) {
                 best = Worst { error, input };
             }
         }
@@ -109,12 +104,12 @@ impl Formula {
     }
 
     fn path(&self) -> PathBuf {
-        PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("worst").join(format!("{}.csv", self.name))
+        PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("worst").join(format!("{}.csv", self.0.name))
     }
 
     fn kept(&self) -> Vec<Worst> {
         let Ok(text) = fs::read_to_string(self.path()) else { return Vec::new() };
-        let number = |s: &str| s.trim().parse::<f64>().unwrap_or_else(|e| panic!("{}: {s}: {e}", self.name));
+        let number = |s: &str| s.trim().parse::<f64>().unwrap_or_else(|e| panic!("{}: {s}: {e}", self.0.name));
         let line = |l: &str| {
             let numbers: Vec<f64> = l.split(',').map(number).collect();
             Worst { error: numbers[0], input: numbers[1..].to_vec() }
@@ -123,7 +118,7 @@ impl Formula {
     }
 
     fn keep(&self, found: &[Worst]) {
-        let mut text = format!("# {}: error in eps = 2^-53, then the input\n", self.name);
+        let mut text = format!("# {}: error in eps = 2^-53, then the input\n", self.0.name);
         for worst in found {
             let _ = write!(text, "{:e}", worst.error);
             for x in &worst.input {

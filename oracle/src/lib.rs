@@ -30,6 +30,7 @@ pub mod parts;
 pub mod plain;
 pub mod point;
 pub mod polygon;
+pub mod precise;
 pub mod probe;
 pub mod region;
 pub mod rivals;

@@ -2,8 +2,8 @@
 
 use arcsum::frame::Frame;
 use arcsum::region::{Curve, Node, Region};
+use arcsum_reports::cases::rng::Rng;
 use arcsum_tests::cases;
-use arcsum_tests::random::Random;
 
 use glam::DVec2;
 use proptest::prelude::*;
@@ -25,13 +25,13 @@ fn scaled(x: f64, exp: i32) -> Float {
 }
 
 /// Points of about this size anywhere, on decimals or on a grid of the coarsest last place.
-fn somewhere(random: &mut Random) -> Region {
+fn somewhere(random: &mut Rng) -> Region {
     let size = random.decade(-280.0, 280.0);
     let place = if random.below(3) == 0 { 0.0 } else { size * random.decade(-2.0, 12.0) };
     let digits = 10f64.powi(random.below(8) as i32);
     let snap = random.below(2) == 0;
     let mut coordinate = || {
-        let x = random.uniform(-1.0, 1.0);
+        let x = random.between(-1.0, 1.0);
         place + size * if snap { (x * digits).round() / digits } else { x }
     };
     polygon(&[0; 5].map(|_| (coordinate(), coordinate())))
@@ -52,7 +52,7 @@ proptest! {
 
     #[test]
     fn there_is_exact_and_back_is_rounded_once(seed in any::<u64>(), relative in -3..4i32) {
-        let mut random = Random::new(seed);
+        let mut random = Rng::new(seed, "tests");
         let a = somewhere(&mut random);
         let mut b = somewhere(&mut random);
         // Regions of comparable size: one that vanishes beside the other is the range the docs leave out.

@@ -13,6 +13,7 @@ mod cull;
 mod exact;
 mod falsely_free;
 mod families;
+mod formulas;
 mod frame;
 mod fuzzing;
 mod heuristic;

@@ -9,10 +9,10 @@ use arcsum::piece::{Piece, Pieces};
 use arcsum::region::Region;
 use arcsum::smooth::Smooth;
 use arcsum::sum3::Rounding;
+use arcsum_reports::cases::rng::Rng;
 use arcsum_tests::cases;
 use arcsum_tests::chains::{Point, winding};
 use arcsum_tests::monotone::Monotone;
-use arcsum_tests::random::Random;
 use arcsum_tests::shapes::{Lattice, cells, holed, simple};
 use glam::DVec2;
 use proptest::prelude::*;
@@ -47,7 +47,7 @@ impl Convolved {
 
     /// Points in the unit box of the sum, half of them near ends of pieces.
     fn probes(&self, seed: u64) -> Vec<DVec2> {
-        let mut random = Random::new(seed);
+        let mut random = Rng::new(seed, "tests");
         let points = &self.monotonic.points;
         let probe = |k: usize| {
             let place = *random.pick(points);

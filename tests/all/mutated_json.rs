@@ -2,7 +2,7 @@
 //! of error is reached.
 
 use arcsum_fuzz::region_json;
-use arcsum_tests::random::Random;
+use arcsum_reports::cases::rng::Rng;
 use std::collections::BTreeMap;
 use std::panic::catch_unwind;
 use std::thread;
@@ -84,7 +84,7 @@ fn items(text: &[u8], open: u8, close: u8) -> Vec<std::ops::Range<usize>> {
 }
 
 /// Changes the text in one place.
-fn mutate(text: &mut Vec<u8>, seeds: &[Vec<u8>], random: &mut Random) {
+fn mutate(text: &mut Vec<u8>, seeds: &[Vec<u8>], random: &mut Rng) {
     let at = random.below(text.len() + 1);
     match random.below(12) {
         0..=3 => replace(text, numbers, random.pick(&NUMBERS).as_bytes(), random),
@@ -112,7 +112,7 @@ fn mutate(text: &mut Vec<u8>, seeds: &[Vec<u8>], random: &mut Random) {
 }
 
 /// Puts other bytes in the place of one of the ranges.
-fn replace(text: &mut Vec<u8>, ranges: impl Fn(&[u8]) -> Vec<std::ops::Range<usize>>, by: &[u8], random: &mut Random) {
+fn replace(text: &mut Vec<u8>, ranges: impl Fn(&[u8]) -> Vec<std::ops::Range<usize>>, by: &[u8], random: &mut Rng) {
     let ranges = ranges(text);
     if !ranges.is_empty() {
         let range = random.pick(&ranges).clone();
@@ -125,7 +125,7 @@ fn replace(text: &mut Vec<u8>, ranges: impl Fn(&[u8]) -> Vec<std::ops::Range<usi
 fn run(first: usize, stride: usize, seeds: &[Vec<u8>]) -> BTreeMap<&'static str, usize> {
     let mut counts = BTreeMap::new();
     for file in (first..FILES).step_by(stride) {
-        let mut random = Random::new(file as u64);
+        let mut random = Rng::new(file as u64, "tests");
         let mut text = random.pick(seeds).clone();
         for _ in 0..1 + random.below(3) {
             mutate(&mut text, seeds, &mut random);

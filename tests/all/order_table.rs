@@ -3,8 +3,8 @@
 //! round.
 
 use arcsum::region::Region;
+use arcsum_reports::cases::rng::Rng;
 use arcsum_tests::chains::{Chain, chains, concave, convolved, extreme, rings};
-use arcsum_tests::random::Random;
 use arcsum_tests::shapes::{Lattice, simple};
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::TestRunner;
@@ -85,7 +85,7 @@ impl Ordinates {
 
 #[test]
 fn every_row_holds_and_is_met() {
-    let (mut runner, mut random) = (TestRunner::deterministic(), Random::new(1));
+    let (mut runner, mut random) = (TestRunner::deterministic(), Rng::new(1, "tests"));
     let polygons = simple(16, 0.0, Lattice::Integers(6));
     let mut met = [[0_usize; 2]; 10];
     for _ in 0..3000 {

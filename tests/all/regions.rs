@@ -3,7 +3,7 @@
 use arcsum::exact::{Grid, orientation};
 use arcsum::format::{Cause, FormatError, json, load, read_file};
 use arcsum::region::{Curve, Node, Region};
-use arcsum_tests::random::Random;
+use arcsum_reports::cases::rng::Rng;
 use glam::DVec2;
 use proptest::prelude::*;
 use rug::Rational;
@@ -179,20 +179,20 @@ fn rounded(a: DVec2, b: DVec2, c: DVec2) -> Ordering {
 
 /// Three points, the third within a few ulps of the line through the others, with magnitudes from 2^-`spread`/2 to
 /// 2^`spread`/2 times 2^`middle`.
-fn nearly_collinear(random: &mut Random, middle: i32, spread: i32) -> [DVec2; 3] {
+fn nearly_collinear(random: &mut Rng, middle: i32, spread: i32) -> [DVec2; 3] {
     let mut number = || {
         let exponent = middle + (random.unit() * f64::from(spread)) as i32 - spread / 2;
         libm::ldexp((random.unit() - 0.5) * 2.0, exponent)
     };
     let (a, b) = (DVec2::new(number(), number()), DVec2::new(number(), number()));
     let c = a + (b - a) * *random.pick(&[-1.0, 0.25, 0.5, 0.7, 2.0, 3.0]);
-    let mut nudge = |v: f64| f64::from_bits(v.to_bits() + random.bits() % 3);
+    let mut nudge = |v: f64| f64::from_bits(v.to_bits() + random.below(3) as u64);
     [a, b, DVec2::new(nudge(c.x), nudge(c.y))]
 }
 
 #[test]
 fn orientation_agrees_with_rational_numbers_where_rounding_fails() {
-    let mut random = Random::new(1);
+    let mut random = Rng::new(1, "tests");
     let (mut cases, mut wrong) = (0, 0);
     for (middle, spread) in [(0, 2), (0, 60), (996, 6), (-996, 6), (0, 780), (600, 780), (-640, 780), (-1060, 20)] {
         for _ in 0..20_000 {

@@ -5,7 +5,7 @@
 
 use arcsum::region::{Node, Region};
 use arcsum::validate::validate;
-use arcsum_tests::random::Random;
+use arcsum_reports::cases::rng::Rng;
 use std::collections::{BTreeMap, BTreeSet};
 
 type Point = (i64, i64);
@@ -138,14 +138,14 @@ fn region(loops: &[Vec<Point>]) -> Region {
     Region { loops: loops.iter().map(|l| l.iter().map(node).collect()).collect(), ..Region::default() }
 }
 
-fn random_loop(random: &mut Random, grid: usize) -> Vec<Point> {
+fn random_loop(random: &mut Rng, grid: usize) -> Vec<Point> {
     let count = 3 + random.below(4);
     (0..count).map(|_| (2 * random.below(grid) as i64, 2 * random.below(grid) as i64)).collect()
 }
 
 #[test]
 fn single_polygons_are_judged_as_by_integers() {
-    let mut random = Random::new(2);
+    let mut random = Rng::new(2, "tests");
     let mut valid = 0;
     for _ in 0..300_000 {
         let loops = [random_loop(&mut random, 5)];
@@ -159,7 +159,7 @@ fn single_polygons_are_judged_as_by_integers() {
 
 #[test]
 fn sets_of_polygons_are_judged_as_by_integers() {
-    let mut random = Random::new(3);
+    let mut random = Rng::new(3, "tests");
     let (mut valid, mut cut, mut touching) = (0, 0, 0);
     for _ in 0..200_000 {
         let mut simple = || {

@@ -1,12 +1,11 @@
 //! Making a case smaller while it shows the same.
 
 use crate::cases::Case;
-use crate::row::Row;
 use arcsum::region::Region;
 use arcsum::validate::validate;
 
 /// Leaves out vertices one by one as long as `same` measures that the case still shows the same.
-pub fn shrink(mut case: Case, mut row: Row, same: impl Fn(&Case) -> Option<Row>) -> (Case, Row) {
+pub fn shrink<T>(mut case: Case, mut row: T, same: impl Fn(&Case) -> Option<T>) -> (Case, T) {
     let mut place = 0;
     while place < vertices(&case.a) + vertices(&case.b) {
         match without(&case, place).and_then(|smaller| same(&smaller).map(|row| (smaller, row))) {

@@ -10,6 +10,7 @@ pub mod files;
 pub mod folder;
 pub mod fork;
 pub mod gear;
+pub mod hard;
 pub mod many;
 pub mod orthogonal;
 pub mod pairs;

@@ -1,7 +1,7 @@
 //! The claims of the papers as experiments: every numbered statement of memo H with what is measured, the bound, the rule of
 //! the verdict, and a control that must come out refuted.
 //!
-//! [`registry::claims`] lists them, [`run`] carries them out. An experiment is
+//! [`registry::claims`] lists them, [`run`] carries them out, [`seek`] searches for the worst input of one. An experiment is
 //! mostly a [`sup::Sup`]: a quantity on single inputs that must stay below a bound on all of them. What does not have that
 //! form, because times or counts are compared over many inputs, is a function that ends in a [`finding::Finding`].
 
@@ -11,7 +11,7 @@ mod convolutions;
 pub mod draw;
 mod exact;
 pub mod finding;
-mod formulas;
+pub mod formulas;
 mod free;
 pub mod input;
 pub mod kept;
@@ -21,12 +21,14 @@ pub mod plot;
 pub mod record;
 pub mod registry;
 pub mod run;
+pub mod seek;
 pub mod sup;
 mod sweep;
 mod theorems;
 pub mod trend;
 mod waits;
 mod winding;
+pub mod witness;
 
 use bench::Bench;
 use control::Control;

@@ -5,6 +5,7 @@
 use super::Claim;
 use super::bench::{Bench, Effort};
 use super::record::Record;
+use super::witness::ClaimWitness;
 use crate::run::folder::{Folder, FolderError, write_json};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc;
@@ -92,16 +93,4 @@ impl Folder {
         }
         write_json(&self.claim(&record.stem()), record)
     }
-}
-
-/// The worst input of a claim as a file that can be measured again.
-#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
-pub struct ClaimWitness {
-    /// The claim.
-    pub claim: String,
-    /// The version of the program that wrote this.
-    pub version: String,
-    /// The input with what was measured.
-    #[serde(flatten)]
-    pub worst: super::finding::Worst,
 }

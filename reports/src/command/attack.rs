@@ -1,45 +1,53 @@
-//! `arcsum attack CLAIM`: a search for cases that a claim does not hold for.
+//! `arcsum attack CLAIM`: a search for the worst input of a claim.
 //!
-//! The output folder gets `attack.csv`, a line a kind of pairs; `results.csv`, the measured cases that show something; and a
-//! witness for each of them.
+//! For a claim of the registry it climbs ([`crate::claims::seek`]) and leaves `worst/ID.json` in the output folder, the form of
+//! the files of worst inputs that every run of the tests measures again. `falsely-free` is a search of another kind ([`free`]).
 
+mod free;
+
+use super::claims::chosen;
 use super::{Failure, INTERRUPTED, interrupt};
-use crate::attack::tally::Line;
-use crate::attack::{Attack, Found, Search, What};
-use crate::run::folder::{Folder, FolderError, write_json};
-use crate::run::witness::Witness;
-use clap::{Args, ValueEnum};
-use std::path::PathBuf;
+use crate::claims::finding::Worst;
+use crate::claims::record::written;
+use crate::claims::seek::{Search, Sought, seek};
+use crate::claims::sup::Sup;
+use crate::claims::{Claim, Test, kept};
+use crate::run::folder::{Folder, FolderError, write_json, write_whole};
+use clap::Args;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 use std::time::Duration;
+
+/// The name of the search for falsely free points.
+const FREE: &str = "falsely-free";
 
 /// Arguments of `arcsum attack`.
 #[derive(Debug, Args)]
 pub struct AttackArgs {
-    /// What is attacked.
-    claim: Claim,
-    /// The engine: `monotonic`, or another one of this project's to see what the search finds there.
-    #[arg(long, default_value = "monotonic")]
-    engine: String,
-    /// The seed of the pairs.
+    /// A claim by number (M13) or id (M9_corrected), or `falsely-free`: points that an engine falsely takes for free, among random
+    /// pairs.
+    claim: String,
+    /// The seed of the inputs.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Points to test.
+    /// The longest time, as in 90s, 10m or 2h; for a claim with several readings, of each.
+    #[arg(long = "for", default_value = "10m", value_parser = time)]
+    time: Duration,
+    /// Climbs at a time [default: one a processor].
+    #[arg(long, value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Option<u16>,
+    /// A folder of worst inputs to bring up to date.
+    #[arg(long)]
+    keep: Option<PathBuf>,
+    /// With `falsely-free`: the engine, one of this project's.
+    #[arg(long, default_value = "monotonic")]
+    engine: String,
+    /// With `falsely-free`: points to test.
     #[arg(long, default_value_t = 1_000_000)]
     probes: u64,
-    /// The longest time, as in 90s, 10m or 2h.
-    #[arg(long = "for", default_value = "1h", value_parser = time)]
-    time: Duration,
     /// The output folder.
     #[arg(long, default_value = "out")]
     out: PathBuf,
-}
-
-/// A claim that can be attacked.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum Claim {
-    /// MS, Theorem 4: the monotonic convolution has no falsely free points where chains are 2 mu separated.
-    FalselyFree,
 }
 
 fn time(text: &str) -> Result<Duration, String> {
@@ -57,67 +65,61 @@ fn time(text: &str) -> Result<Duration, String> {
 /// Searches, and prints what was found.
 ///
 /// # Errors
-/// When the engine is none of this project's, or the folder cannot be used.
+/// When there is no such claim, none of its readings can be attacked, or a folder cannot be used.
 pub fn attack(args: &AttackArgs) -> Result<u8, Failure> {
-    let Claim::FalselyFree = args.claim;
-    let search = Search { engine: args.engine.clone(), seed: args.seed, probes: args.probes, time: args.time };
-    let mut attack = Attack::new(search).map_err(Failure::input)?;
-    let folder = Folder::fresh(&args.out).map_err(Failure::other)?;
+    if args.claim == FREE {
+        return free::attack(args);
+    }
+    let claims = chosen(std::slice::from_ref(&args.claim))?;
+    let sups: Vec<(&Claim, &Sup)> = claims.iter().filter_map(single).collect();
+    if sups.is_empty() {
+        return Err(Failure::input(format!("{} is not about single inputs: there is nothing to search", args.claim)));
+    }
+    let folder = Folder::open(&args.out).map_err(Failure::other)?;
     let stop = interrupt::flag()?;
-    let mut kept: Vec<Found> = Vec::new();
-    attack
-        .run(stop, |found| {
-            kept.push(found);
-            keep(&folder, args, &kept)
-        })
-        .map_err(Failure::other)?;
-    folder.write_table("attack.csv", attack.tally.lines()).map_err(Failure::other)?;
-    attack.tally.lines().for_each(print);
+    let threads = args.threads.map_or_else(|| std::thread::available_parallelism().map_or(1, usize::from), usize::from);
+    for (claim, sup) in sups {
+        let search = Search { seed: args.seed, time: args.time, threads };
+        let each = |worst: &Worst| {
+            eprintln!("{}: {} {}, {} {}", claim.id, sup.quantity, bracket(worst), worst.input.size(), sup.unit)
+        };
+        let sought = seek(claim.id, sup, search, stop, each);
+        let file = write(&folder.inner("worst"), claim, &sought).map_err(Failure::other)?;
+        if let Some(keep) = &args.keep {
+            write(keep, claim, &sought).map_err(Failure::other)?;
+        }
+        print(claim, sup, &sought, &file);
+    }
     Ok(if stop.load(Ordering::Relaxed) { INTERRUPTED } else { 0 })
 }
 
-/// Writes the rows so far and the witness of the last one.
-fn keep(folder: &Folder, args: &AttackArgs, kept: &[Found]) -> Result<(), FolderError> {
-    folder.write_table("results.csv", kept.iter().map(|found| &found.row))?;
-    let Some(Found { case, row, what }) = kept.last() else { return Ok(()) };
-    let claim = match what {
-        What::Inside => "falsely free points inside of a cell in spite of 2 mu separation",
-        What::Boundary => "falsely free points on the boundary in spite of 2 mu separation",
-        What::Unseparated => "falsely free points without 2 mu separation",
-        What::Conflict => "a swap against the convolution order",
-    };
-    let witness = Witness {
-        claim: claim.into(),
-        engine: args.engine.clone(),
-        options: "default".into(),
-        seed: Some(args.seed),
-        version: env!("CARGO_PKG_VERSION").into(),
-        case: case.clone(),
-        measured: row.clone(),
-    };
-    write_json(&folder.witness(kept.len()), &witness)
+fn single(claim: &Claim) -> Option<(&Claim, &Sup)> {
+    match &claim.test {
+        Test::Sup(sup) => Some((claim, sup)),
+        Test::Whole(_) | Test::Waits(_) => None,
+    }
 }
 
-fn print(line: &Line) {
-    let number = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| format!("{value:.3e}"));
-    println!(
-        "{:9} {:8} cases {:10} probes {:7} suspects {:6} inside {:6} measured {:5} undecided; rho > mu: {:4} inside {:4} on \
-         the boundary {:4} not separated, \
-         separation/mu from {} to {}, rho up to {}; {:4} order conflicts, separation/mu from {}",
-        line.kind,
-        line.cases,
-        line.probes,
-        line.suspects,
-        line.suspects_inside,
-        line.measured,
-        line.undecided,
-        line.inside,
-        line.boundary,
-        line.unseparated,
-        number(line.least_ratio),
-        number(line.greatest_ratio),
-        number(line.greatest_rho),
-        line.conflicts,
-        number(line.least_ratio_of_conflicts),
-    );
+/// Writes the worst inputs, and those that crashed.
+fn write(folder: &Path, claim: &Claim, sought: &Sought) -> Result<PathBuf, FolderError> {
+    std::fs::create_dir_all(folder).map_err(|e| FolderError::new(folder, &e))?;
+    let file = folder.join(format!("{}.json", claim.stem()));
+    let text = kept::write(&sought.worst).map_err(|e| FolderError::new(&file, &e))?;
+    write_whole(&file, text.as_bytes())?;
+    if !sought.crashed.is_empty() {
+        write_json(&folder.join(format!("{}.crashed.json", claim.stem())), &sought.crashed)?;
+    }
+    Ok(file)
+}
+
+fn bracket(worst: &Worst) -> String {
+    if worst.lo == worst.hi { written(worst.lo) } else { format!("[{}, {}]", written(worst.lo), written(worst.hi)) }
+}
+
+fn print(claim: &Claim, sup: &Sup, sought: &Sought, file: &Path) {
+    let Sought { measured, climbs, crashed, worst } = sought;
+    println!("{}: {measured} inputs in {climbs} climbs, {} crashes; {}", claim.id, crashed.len(), file.display());
+    for found in worst {
+        println!("  {} {} ({}), size {}", bracket(found), sup.unit, sup.quantity, found.input.size());
+    }
 }

@@ -1,6 +1,10 @@
 //! `arcsum replay WITNESS`: a witness measured again. Exit code 0 when it still holds, 1 when not.
 
+use super::claims::chosen;
 use super::{Failure, INTERRUPTED, interrupt};
+use crate::claims::finding::Worst;
+use crate::claims::witness::ClaimWitness;
+use crate::claims::{Claim, Test};
 use crate::row::Row;
 use crate::run::plan::Plan;
 use crate::run::witness::Witness;
@@ -24,6 +28,9 @@ pub struct ReplayArgs {
 /// # Errors
 /// When the file is no witness, its engine is unknown, or no worker starts.
 pub fn replay(args: &ReplayArgs) -> Result<u8, Failure> {
+    if let Some(witness) = ClaimWitness::read(&args.witness) {
+        return again(&witness);
+    }
     let witness = Witness::read(&args.witness).map_err(Failure::input)?;
     let plan = Plan::new(vec![witness.case.clone()], std::slice::from_ref(&witness.engine)).map_err(Failure::input)?;
     if plan.jobs.is_empty() {
@@ -44,6 +51,24 @@ pub fn replay(args: &ReplayArgs) -> Result<u8, Failure> {
     }
     println!("no longer holds: {}", changes.join("; "));
     Ok(1)
+}
+
+/// Measures the worst input of a claim. It holds as long as the brackets have a number in common.
+fn again(witness: &ClaimWitness) -> Result<u8, Failure> {
+    let known = chosen(std::slice::from_ref(&witness.claim))?.into_iter().find(|claim| claim.id == witness.claim);
+    let Some(Claim { says, test: Test::Sup(sup), .. }) = known else {
+        return Err(Failure::input(format!("{} is not measured on single inputs", witness.claim)));
+    };
+    println!("{}: {says}", witness.claim);
+    let Some(now) = (sup.measure)(&witness.worst.input) else {
+        println!("no longer holds: the claim says nothing about this input");
+        return Ok(1);
+    };
+    let Worst { lo, hi, .. } = witness.worst;
+    println!("measured now: {} in [{}, {}] {}, was in [{lo}, {hi}]", sup.quantity, now.lo, now.hi, sup.unit);
+    let holds = now.lo <= hi && now.hi >= lo;
+    println!("{}", if holds { "holds" } else { "no longer holds" });
+    Ok(u8::from(!holds))
 }
 
 fn numbers(row: &Row) -> String {

@@ -1,11 +1,16 @@
 //! Claims about angles, points and sums in floating point (MS 4.1; M9 to M12).
 
-mod three_terms;
+pub mod angle;
+pub mod arc;
+pub mod formula;
+pub mod modification;
+mod points;
+pub mod three_terms;
 
 use super::Claim;
 
 /// The claims of this family.
 #[must_use]
 pub fn claims() -> Vec<Claim> {
-    three_terms::claims().into()
+    points::claims().into_iter().chain(three_terms::claims()).chain(modification::claims()).collect()
 }

@@ -22,7 +22,7 @@ pub(super) fn claims() -> [Claim; 2] {
         rule: Rule::AtMost(0.0),
         draws: [200_000, 20_000_000],
         draw,
-        measure: |input| off(input, printed),
+        measure: |input| off(input, two_dekkers),
         kept: kept!("M10_printed"),
         control: Control::Itself,
     };
@@ -49,7 +49,8 @@ pub(super) fn claims() -> [Claim; 2] {
 }
 
 /// The errors of two sums added to the rounded sum, as MS 4.1 print it.
-fn printed([t, d, q]: [f64; 3]) -> f64 {
+#[must_use]
+pub fn two_dekkers([t, d, q]: [f64; 3]) -> f64 {
     let (s, first) = two_sum(t, d);
     let (s, second) = two_sum(s, q);
     s + (first + second)

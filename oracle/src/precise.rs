@@ -1,7 +1,7 @@
-//! Values of the engine's formulas in MPFR arithmetic, to measure their errors against.
+//! Formulas about vectors and circle segments in MPFR arithmetic, to measure the errors of others against (memo A3, A5).
+//!
+//! Not certified: at [`PRECISION`] bits their own errors are hundreds of bits below those that are measured.
 
-use arcsum::angle::Ang;
-use glam::DVec2;
 use rug::float::Constant;
 use rug::ops::Pow;
 use rug::{Assign, Float};
@@ -21,10 +21,10 @@ pub fn pi() -> Float {
     Float::with_val(PRECISION, Constant::Pi)
 }
 
-/// The angle, taken literally: axis times pi/2 plus offset.
+/// So many quarters of a turn and an offset, in radians.
 #[must_use]
-pub fn value(angle: Ang) -> Float {
-    pi() * angle.axis() / 2u32 + big(angle.offset())
+pub fn angle(quarters: u8, offset: f64) -> Float {
+    pi() * quarters / 2u32 + big(offset)
 }
 
 /// The angle reduced to (-pi, pi] by whole turns.
@@ -64,8 +64,8 @@ pub struct Vector {
 impl Vector {
     /// The point as it is.
     #[must_use]
-    pub fn of(p: DVec2) -> Self {
-        Self { x: big(p.x), y: big(p.y) }
+    pub fn of(p: [f64; 2]) -> Self {
+        Self { x: big(p[0]), y: big(p[1]) }
     }
 
     /// The unit vector at an angle.
@@ -136,7 +136,7 @@ pub struct Circular {
 impl Circular {
     /// With the half sweep as given.
     #[must_use]
-    pub fn new(tail: DVec2, head: DVec2, delta: Float) -> Self {
+    pub fn new(tail: [f64; 2], head: [f64; 2], delta: Float) -> Self {
         let tail = Vector::of(tail);
         let chord = Vector::of(head).minus(&tail);
         let gamma = Vector { x: chord.y.clone(), y: -chord.x.clone() }.angle();
@@ -145,7 +145,7 @@ impl Circular {
 
     /// With this signed radius; `None` if the chord is longer than the diameter.
     #[must_use]
-    pub fn with_radius(tail: DVec2, head: DVec2, r: f64) -> Option<Self> {
+    pub fn with_radius(tail: [f64; 2], head: [f64; 2], r: f64) -> Option<Self> {
         let mut arc = Self::new(tail, head, big(0.0));
         let radicand = Float::with_val(PRECISION, big(r).pow(2u32) * 4u32) - arc.chord.dot(&arc.chord);
         if radicand < 0 {
@@ -158,7 +158,7 @@ impl Circular {
 
     /// With this bulge.
     #[must_use]
-    pub fn with_bulge(tail: DVec2, head: DVec2, bulge: f64) -> Self {
+    pub fn with_bulge(tail: [f64; 2], head: [f64; 2], bulge: f64) -> Self {
         Self::new(tail, head, big(bulge).atan() * 2u32)
     }
 
@@ -186,7 +186,7 @@ impl Circular {
     /// How far the point lies outside of the circle, by n.w + |w|^2 / (2r) with w from the tail: exact to second order
     /// in the distance over the radius.
     #[must_use]
-    pub fn off_circle(&self, p: DVec2) -> Float {
+    pub fn off_circle(&self, p: [f64; 2]) -> Float {
         let a = Float::with_val(PRECISION, &self.gamma - &self.delta);
         let way = Vector::of(p).minus(&self.tail);
         Vector::at(&a).dot(&way) + way.dot(&way) / (self.radius() * 2u32)

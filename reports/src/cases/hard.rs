@@ -1,28 +1,28 @@
 //! Random numbers that are hard on floating point: any magnitude, neighbours of given numbers, directions near the axes.
 
-use crate::random::Random;
+use super::rng::Rng;
 
-impl Random {
-    /// Uniform in [lo, hi).
-    pub fn uniform(&mut self, lo: f64, hi: f64) -> f64 {
-        lo + (hi - lo) * self.unit()
-    }
-
+impl Rng {
     /// 10 to a uniform power between lo and hi.
     pub fn decade(&mut self, lo: f64, hi: f64) -> f64 {
-        libm::pow(10.0, self.uniform(lo, hi))
+        libm::pow(10.0, self.between(lo, hi))
     }
 
     /// 1 or -1.
     pub fn sign(&mut self) -> f64 {
-        if self.bits() & 1 == 0 { 1.0 } else { -1.0 }
+        if self.below(2) == 0 { 1.0 } else { -1.0 }
+    }
+
+    /// One of the items, of which there is at least one.
+    pub fn pick<'a, T>(&mut self, items: &'a [T]) -> &'a T {
+        &items[self.below(items.len())]
     }
 
     /// A direction of length about 1: anywhere, near a diagonal, or near an axis down to subnormal numbers.
     pub fn direction(&mut self) -> [f64; 2] {
-        let (major, sign) = (self.uniform(0.5, 1.0), self.sign());
+        let (major, sign) = (self.between(0.5, 1.0), self.sign());
         let minor = match self.below(4) {
-            0 => self.uniform(0.0, 1.0),
+            0 => self.unit(),
             1 => major * (1.0 - self.decade(-17.0, -1.0)),
             2 => major * self.decade(-17.0, 0.0),
             _ => major * self.decade(-320.0, -8.0),
@@ -38,7 +38,7 @@ impl Random {
         let way = self.direction().map(|x| x * length);
         // Half the time about the origin or on an axis, so that chords keep digits below the last place of 1.
         let mut place = |way: f64| {
-            let place = self.uniform(-0.5, 0.5) * self.pick(&[1.0, 1.0, 0.0, 1e-9]);
+            let place = self.between(-0.5, 0.5) * self.pick(&[1.0, 1.0, 0.0, 1e-9]);
             if (place + way).abs() > 0.5 { -way / 2.0 } else { place }
         };
         let tail = way.map(&mut place);
