@@ -5,6 +5,7 @@ mod arcs;
 mod arrangement;
 mod boolean_arcs;
 mod boolean_exact;
+mod claims;
 mod coincide;
 mod convex;
 mod convolution;

@@ -3,7 +3,9 @@
 use super::bench::{Bench, Effort};
 use super::control::Control;
 use super::finding::{Finding, Verdict};
+use super::picture::picture;
 use super::{Claim, Test};
+use crate::row::Record as Drawn;
 use serde::{Deserialize, Serialize};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -35,6 +37,9 @@ pub struct Record {
     /// What the control found; none if it is another claim, or none is needed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub control: Option<Finding>,
+    /// What a picture of the worst input needs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub picture: Option<Drawn>,
 }
 
 /// A row of `claims.csv`.
@@ -107,7 +112,9 @@ impl Record {
             finding,
             plants,
             control,
+            picture: None,
         };
+        record.picture = record.finding.worst.as_ref().and_then(picture);
         record.doubt();
         record
     }

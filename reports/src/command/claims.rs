@@ -6,6 +6,7 @@ use crate::claims::finding::{Finding, Verdict};
 use crate::claims::record::{Record, written};
 use crate::claims::run::{Settings, run};
 use crate::claims::{Claim, registry};
+use crate::page;
 use crate::run::folder::Folder;
 use clap::Args;
 use std::path::PathBuf;
@@ -50,7 +51,9 @@ pub fn claims(args: &ClaimsArgs) -> Result<u8, Failure> {
     };
     let records = run(&claims, &settings, &folder, stop, each).map_err(Failure::other)?;
     records.iter().for_each(print);
+    let page = page::claims::write(&args.out).map_err(Failure::other)?;
     println!("{}", summary(&records));
+    page.iter().for_each(|page| println!("{}", page.display()));
     Ok(if stop.load(Ordering::Relaxed) { INTERRUPTED } else { 0 })
 }
 

@@ -1,5 +1,5 @@
-//! `arcsum report`: the built-in cases at quick effort on every built-in engine, a short timing, then the page. The last
-//! line printed is the path of the page.
+//! `arcsum report`: the built-in cases at quick effort on every built-in engine, a short timing, the claims of the papers, then the
+//! page. The last line printed is the path of the page.
 
 use super::verify::{measure, stamp};
 use super::{Failure, INTERRUPTED, RunArgs};
@@ -28,7 +28,9 @@ pub fn report(args: &ReportArgs) -> Result<u8, Failure> {
     if measure(&plan, &args.run)?.interrupted {
         return Ok(INTERRUPTED);
     }
-    time_sums(args)?;
+    beside(&BENCH, args)?;
+    let resume = if args.run.resume { &["--resume"][..] } else { &[] };
+    beside(&[&CLAIMS, resume].concat(), args)?;
     // The timing left its own.
     stamp(&plan, &args.run)?;
     let index = page::write(&args.run.out).map_err(Failure::other)?;
@@ -36,39 +38,42 @@ pub fn report(args: &ReportArgs) -> Result<u8, Failure> {
         // Once more: now there is a page to link to.
         page::bench::write(&args.run.out).map_err(Failure::other)?;
     }
+    page::claims::write(&args.run.out).map_err(Failure::other)?;
     println!("{}", index.canonicalize().unwrap_or(index).display());
     Ok(0)
 }
 
-/// A short `arcsum bench` into the same folder, in a process of its own: if it dies the page has no timing, and says so.
-fn time_sums(args: &ReportArgs) -> Result<(), Failure> {
+/// A short `arcsum bench`.
+const BENCH: [&str; 12] = [
+    "bench",
+    "--suite",
+    "growth",
+    "--engine",
+    "kinetic",
+    "--engine",
+    "monotonic",
+    "--runs",
+    "3",
+    "--max-vertices",
+    "150000",
+    "--time-limit=5",
+];
+
+/// The experiments on the papers' claims, at quick effort.
+const CLAIMS: [&str; 1] = ["claims"];
+
+/// Another command into the same folder, in a process of its own: if it dies the page lacks its part, and says so.
+fn beside(command: &[&str], args: &ReportArgs) -> Result<(), Failure> {
     let program = std::env::current_exe().map_err(Failure::other)?;
-    let seed = args.run.seed.to_string();
     let ended = Command::new(program)
-        .args([
-            "bench",
-            "--suite",
-            "growth",
-            "--engine",
-            "kinetic",
-            "--engine",
-            "monotonic",
-            "--runs",
-            "3",
-            "--max-vertices",
-            "150000",
-            "--time-limit",
-            "5",
-            "--seed",
-            &seed,
-            "--out",
-        ])
+        .args(command)
+        .args(["--seed", &args.run.seed.to_string(), "--out"])
         .arg(&args.run.out)
         .stdout(Stdio::null())
         .status()
         .map_err(Failure::other)?;
     if !ended.success() {
-        eprintln!("arcsum: the timing failed: {ended}");
+        eprintln!("arcsum: {} failed: {ended}", command[0]);
     }
     Ok(())
 }

@@ -11,6 +11,7 @@ pub mod bench;
 mod bins;
 mod chart;
 mod checks;
+pub mod claims;
 mod columns;
 mod cumulative;
 mod doubts;
@@ -159,14 +160,15 @@ fn page(folder: &Folder, mut sheets: Vec<Section>, drawn: &[bool], broken: &[Str
     sections.push(section("rows", "All rows", rows::html(folder, drawn)));
     sections.push(section("environment", "Environment", environment::html(folder)));
     let doubts = doubts::html(entries, broken);
-    let other = if folder.has(bench::FILE) { Some((bench::FILE, "The bench")) } else { None };
-    document("arcsum: measured errors", GUIDE, other, &doubts, &sections)
+    let others = [(claims::FILE, "The claims"), (bench::FILE, "The bench")];
+    let others: Vec<_> = others.into_iter().filter(|(file, _)| folder.has(file)).collect();
+    document("arcsum: measured errors", GUIDE, &others, &doubts, &sections)
 }
 
-/// A page of these sections below its guide and what is to be doubted; `other` is the file and the name of a page to link to.
-fn document(title: &str, guide: &str, other: Option<(&str, &str)>, doubts: &str, sections: &[Section]) -> String {
+/// A page of these sections below its guide and what is to be doubted; `others` are files and names of pages to link to.
+fn document(title: &str, guide: &str, others: &[(&str, &str)], doubts: &str, sections: &[Section]) -> String {
     let mut links: String = sections.iter().map(|s| format!("<a href=\"#{}\">{}</a>", s.id, s.title)).collect();
-    links.extend(other.map(|(file, name)| format!("<a href=\"{file}\">{name}</a>")));
+    links.extend(others.iter().map(|(file, name)| format!("<a href=\"{file}\">{name}</a>")));
     let body: String = sections.iter().map(Section::html).collect();
     let first = sections.first().map_or("", |section| section.id);
     let style = picture::STYLE;

@@ -46,6 +46,14 @@ pub fn panels(record: &Record) -> Vec<Panel> {
     panels
 }
 
+/// The operands and the result of a record, and the surroundings of its worst point at these parts of the sum's side.
+pub fn closer(record: &Record, parts: &[f64]) -> Vec<Panel> {
+    let stage = Stage::of(record);
+    let whole = stage.sum.side();
+    let operands = [stage.operand("A", "a", &record.a), stage.operand("B", "b", &record.b), stage.result(record)];
+    operands.into_iter().chain(stage.at_worst(record, parts.iter().map(|part| part * whole))).collect()
+}
+
 /// What the panels of one record share.
 struct Stage {
     /// Pixels per input unit.
@@ -134,7 +142,6 @@ impl Stage {
 
     /// The surroundings of the worst point: a fixed part of the sum, and closer up an error that can be seen.
     fn insets(&self, record: &Record) -> Vec<Panel> {
-        let Some(worst) = self.worst else { return Vec::new() };
         let whole = self.sum.side();
         let fitted = (INSET_IN_MU * self.mu).min(whole);
         let sides = match self.mu > VISIBLE_MU * whole {
@@ -142,13 +149,19 @@ impl Stage {
             true => vec![INSET * whole, fitted],
             false => vec![INSET * whole],
         };
+        self.at_worst(record, sides)
+    }
+
+    /// The surroundings of the worst point, squares of these sides; none without such a point.
+    fn at_worst(&self, record: &Record, sides: impl IntoIterator<Item = f64>) -> Vec<Panel> {
+        let Some(worst) = self.worst else { return Vec::new() };
         let view = |side: f64| View { frame: Frame::around(worst, side), scale: SIDE / side };
         sides.into_iter().map(|side| self.inset(record, &view(side))).collect()
     }
 
     fn inset(&self, record: &Record, view: &View) -> Panel {
         let mut notes = vec![format!("{} of the sum's side", number::plain(view.frame.side() / self.sum.side()))];
-        if self.mu.is_finite() {
+        if self.mu.is_finite() && self.mu > 0.0 {
             notes.push(format!("mu_lo is {} px here", number::plain(self.mu * view.scale)));
         }
         let result = record.result.as_ref().map_or(String::new(), |result| drawn(result, "r", view).0);

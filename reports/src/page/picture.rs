@@ -40,6 +40,11 @@ pub fn document(record: &Record) -> String {
 
 /// The panels as figures for the page, which may wrap them to its width.
 pub fn figures(record: &Record) -> String {
+    framed(&panels(record))
+}
+
+/// Some panels as figures.
+pub fn framed(panels: &[Panel]) -> String {
     let figure = |panel: &Panel| {
         let [width, height] = panel.size.map(decimal);
         let notes: String = panel.notes.iter().map(|n| format!("<br>{}", text(n))).collect();
@@ -51,7 +56,7 @@ pub fn figures(record: &Record) -> String {
             heading = text(&panel.heading),
         )
     };
-    panels(record).iter().map(figure).collect()
+    panels.iter().map(figure).collect()
 }
 
 /// The panel at a place of the file, its heading and notes above it.

@@ -31,7 +31,7 @@ pub struct Folder {
 }
 
 /// What a run leaves in its folder.
-const FILES: [&str; 11] = [
+const FILES: [&str; 12] = [
     "results.csv",
     "claims.csv",
     "journal.jsonl",
@@ -43,6 +43,7 @@ const FILES: [&str; 11] = [
     "iterated.csv",
     "index.html",
     "bench.html",
+    "claims.html",
 ];
 const FOLDERS: [&str; 4] = ["cases", "claims", "witnesses", "pictures"];
 

@@ -2,6 +2,7 @@
 
 mod bench;
 mod cgal;
+mod claims;
 mod engines;
 mod input;
 mod replay;

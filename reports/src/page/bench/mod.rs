@@ -36,9 +36,10 @@ pub fn write(dir: &Path) -> Result<PathBuf, PageError> {
     let reached = rows::<Reached>(&dir.join("goals.csv"))?;
     let comparisons = rows::<Comparison>(&dir.join("comparison.csv"))?;
     let sections = sections(&sheet, &timings, reached, comparisons.map(|(sheet, _)| sheet));
-    let other = dir.join("index.html").is_file().then_some(("index.html", "Measured errors"));
+    let other: Vec<_> =
+        dir.join("index.html").is_file().then_some(("index.html", "Measured errors")).into_iter().collect();
     let file = dir.join(FILE);
-    save(&file, &document("arcsum: engines side by side", GUIDE, other, "", &sections))?;
+    save(&file, &document("arcsum: engines side by side", GUIDE, &other, "", &sections))?;
     Ok(file)
 }
 
