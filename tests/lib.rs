@@ -4,7 +4,6 @@ pub mod boundary;
 pub mod chains;
 mod draw;
 pub mod fiber;
-pub mod monotone;
 pub mod precise;
 pub mod random;
 pub mod shapes;
