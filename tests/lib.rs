@@ -3,7 +3,6 @@
 pub mod boundary;
 pub mod chains;
 pub mod fiber;
-pub mod monotone;
 pub mod shapes;
 pub mod tangle;
 pub mod valid;

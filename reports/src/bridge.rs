@@ -4,6 +4,7 @@ use arcsum::angle::Ang;
 use arcsum::convolution::{Stop, kinetic_stops};
 use arcsum::frame::Frame;
 use arcsum::region::{Curve, Node, Region};
+use arcsum::robustness::Robustness;
 use arcsum::smooth::{Kind, Seg, Smooth, SmoothError};
 use arcsum_oracle::certified::realize::{self, StoredPiece, StoredRegion};
 use arcsum_oracle::plain::{Bend, Corner, PlainRegion};
@@ -49,8 +50,16 @@ pub fn unit(a: &Region, b: &Region) -> f64 {
 /// # Errors
 /// [`SmoothError`] if the engine cannot take an operand.
 pub fn stored(a: &Region, b: &Region) -> Result<[StoredRegion; 2], SmoothError> {
+    stored_by(a, b, Robustness::ALL)
+}
+
+/// The same with these robustness steps only.
+///
+/// # Errors
+/// As [`stored`].
+pub fn stored_by(a: &Region, b: &Region, robustness: Robustness) -> Result<[StoredRegion; 2], SmoothError> {
     let frames = Frame::pair(a, b);
-    let (smooth_a, smooth_b) = (Smooth::new(a, &frames.0)?, Smooth::new(b, &frames.1)?);
+    let (smooth_a, smooth_b) = (Smooth::by(a, &frames.0, robustness)?, Smooth::by(b, &frames.1, robustness)?);
     let [stops_a, stops_b] = kinetic_stops(&smooth_a, &smooth_b);
     let region = |smooth: &Smooth, stops: &[Stop], frame: &Frame, unbounded| StoredRegion {
         loops: (0..smooth.loops.len()).map(|index| stored_loop(smooth, index, stops)).collect(),

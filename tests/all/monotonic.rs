@@ -9,10 +9,11 @@ use arcsum::piece::{Piece, Pieces};
 use arcsum::region::Region;
 use arcsum::smooth::Smooth;
 use arcsum::sum3::Rounding;
+use arcsum_oracle::monotone::Monotone;
+use arcsum_reports::bridge::plain;
 use arcsum_reports::cases::rng::Rng;
 use arcsum_tests::cases;
 use arcsum_tests::chains::{Point, winding};
-use arcsum_tests::monotone::Monotone;
 use arcsum_tests::shapes::{Lattice, cells, holed, simple};
 use glam::DVec2;
 use proptest::prelude::*;
@@ -42,7 +43,7 @@ impl Convolved {
         let (x, y) = (Smooth::new(a, &frames.0).expect("valid"), Smooth::new(b, &frames.1).expect("valid"));
         let kinetic = kinetic(&x, &y, Rounding::Correct).expect("bounded");
         let (monotonic, order) = monotonic(&x, &y, Rounding::Correct).expect("bounded");
-        Self { frames, definition: Monotone::new(a, b), kinetic, monotonic, order }
+        Self { frames, definition: Monotone::new(&plain(a), &plain(b)), kinetic, monotonic, order }
     }
 
     /// Points in the unit box of the sum, half of them near ends of pieces.

@@ -29,11 +29,13 @@ pub mod plan;
 pub mod stored;
 pub mod track;
 pub mod up;
+pub mod upright;
 
 pub use error::RealizeError;
 pub use moved::{ChainMove, Moved};
 pub use stored::{Angle, Stop, StoredPiece, StoredRegion};
 pub use up::Up;
+pub use upright::vertical_distance;
 
 use super::shape::Shape;
 use plan::Plan;

@@ -1,8 +1,8 @@
-//! The winding number of the monotonic convolution of polygons by definition: O - F - T (MS 5; memo E), in exact arithmetic
-//! and without the engine.
+//! The winding number of the monotonic convolution of polygons by definition: O - F - T (MS 5; memo E), in exact
+//! arithmetic.
 
 use crate::chains::{Chain, Point, chains, concave, convolved, edges, rings, winding};
-use arcsum::region::Region;
+use crate::plain::PlainRegion;
 use rug::Rational;
 
 /// A connected polygon: its outer ring, then its holes.
@@ -44,9 +44,19 @@ impl Counts {
 impl Monotone {
     /// The pairs of parts of two bounded polygons, the holes that no partner fits into filled (memo A8).
     #[must_use]
-    pub fn new(a: &Region, b: &Region) -> Self {
+    pub fn new(a: &PlainRegion, b: &PlainRegion) -> Self {
+        Self::of_pairs(a, b, filled)
+    }
+
+    /// The same with all holes kept, as MS 5 would have it.
+    #[must_use]
+    pub fn unfilled(a: &PlainRegion, b: &PlainRegion) -> Self {
+        Self::of_pairs(a, b, |part, _| part.clone())
+    }
+
+    fn of_pairs(a: &PlainRegion, b: &PlainRegion, kept: fn(&Part, &Part) -> Part) -> Self {
         let (all_a, all_b) = (parts(&rings(a)), parts(&rings(b)));
-        let pair = |p: &Part, q: &Part| [Side::new(filled(p, q)), Side::new(filled(q, p))];
+        let pair = |p: &Part, q: &Part| [Side::new(kept(p, q)), Side::new(kept(q, p))];
         Self { pairs: all_a.iter().flat_map(|p| all_b.iter().map(move |q| pair(p, q))).collect() }
     }
 

@@ -1,0 +1,150 @@
+//! M16: Theorem 2, the error of the float sum against the sum of the realizations; M16b: against the sum of the input
+//! (MS 4.3).
+//!
+//! The bound mu is computed for each input from what is known of its run:
+//!
+//! * how far the realizations have moved, certified ([`arcsum_oracle::certified::realize`]), with the rounding of the ends
+//!   of sum segments: Lemma 1;
+//! * the arrangement's error as MS 4.3 bound it, 4 eps (1 + k m) for m sum segments of which k were found out of order,
+//!   with the constant of the memo (M14);
+//! * the rounding of the result to doubles in input units.
+
+use super::super::control::Control;
+use super::super::draw::{self, input};
+use super::super::finding::Measured;
+use super::super::input::Input;
+use super::super::sup::{Rule, Sup};
+use super::super::{Claim, Test};
+use super::{EPS, families};
+use crate::bridge::{plain, stored, unit};
+use crate::cases::Case;
+use crate::cases::radial::noise;
+use crate::cases::rng::Rng;
+use crate::cases::shape;
+use crate::kept;
+use arcsum::region::Region;
+use arcsum::sum::{Convolution, Options, Sum, sum};
+use arcsum_oracle::certified::realize::realize;
+use arcsum_oracle::certified::reference::Reference;
+use arcsum_oracle::error::Budget;
+use arcsum_oracle::measure::{Bracket, hausdorff};
+use arcsum_oracle::polygon;
+
+/// Work on one reference.
+const BUDGET: Budget = Budget { segments: 20_000, meetings: 2_000_000 };
+
+/// The arrangement's error over eps, without inconsistencies (memo M14).
+const ARRANGEMENT: f64 = 4.0;
+
+pub(super) fn claims() -> [Claim; 2] {
+    let realized = Claim {
+        id: "M16",
+        place: "MS 4.3",
+        says: "Theorem 2: the float sum is mu-close to the sum of the realizations, mu the error of the arrangement and \
+               of the realizations together.",
+        erratum: "",
+        test: Test::Sup(Sup {
+            quantity: "Hausdorff distance / mu",
+            unit: "1",
+            rule: Rule::AtMost(1.0),
+            draws: [150, 15_000],
+            draw: draw::pair,
+            measure: |input| against_realizations(input, 0.0),
+            kept: kept!("M16"),
+            control: Control::Measure {
+                plants: "the result shifted by 1e-12",
+                measure: |input| against_realizations(input, 1e-12),
+            },
+        }),
+    };
+    let given = Claim {
+        id: "M16b",
+        place: "MS 4.3",
+        says: "The float sum is O(n eps) close to the sum of the regions as they are given.",
+        erratum: "",
+        test: Test::Sup(Sup {
+            quantity: "Hausdorff distance / (n eps), over n",
+            unit: "1",
+            rule: Rule::Flat,
+            draws: [families::ALL * 12, families::ALL * 400],
+            draw: draw_growing,
+            measure: |input| against_input(input, |_| 0.0),
+            kept: kept!("M16b"),
+            control: Control::Measure {
+                plants: "the result shifted by n^2 eps",
+                measure: |input| against_input(input, |n| (n * n) as f64 * EPS),
+            },
+        }),
+    };
+    [realized, given]
+}
+
+/// The sums by both convolutions.
+fn sums(case: &Case) -> Option<[Sum; 2]> {
+    let by = |convolution| sum(&case.a, &case.b, &Options { convolution, ..Options::default() }).ok();
+    Some([by(Convolution::Monotonic)?, by(Convolution::Kinetic)?])
+}
+
+/// The greater distance over mu of both sums, shifted by a length in the unit box.
+fn against_realizations(input: &Input, shift: f64) -> Option<Measured> {
+    let case = input.as_pair()?;
+    let [a, b] = stored(&case.a, &case.b).ok()?.map(|region| realize(&region).ok());
+    let (a, b) = (a?, b?);
+    let unit = unit(&case.a, &case.b);
+    let reference = Reference::of_shapes(&a.shape, &b.shape, unit, BUDGET).ok()?;
+    let realized = a.moved.greatest() + b.moved.greatest();
+    let mut found = Vec::new();
+    for sum in sums(case)? {
+        let mu = realized + own_error(&sum, unit);
+        found.push(ratio(reference.measure(&plain(&shifted(&sum.region, shift * unit))).ok()??, mu));
+    }
+    let hi = found.iter().map(|m| m.hi).fold(0.0, f64::max);
+    let worst = found.into_iter().max_by(|m, n| m.lo.total_cmp(&n.lo))?;
+    Some(Measured { hi, ..worst })
+}
+
+/// What mu consists of besides the realizations, in the unit box.
+fn own_error(sum: &Sum, unit: f64) -> f64 {
+    let last_place = |size: f64| size.next_up() - size;
+    let ends = sum.convolution.points.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
+    let result = sum.region.loops.iter().flatten().map(|n| n.x.abs().max(n.y.abs())).fold(0.0, f64::max);
+    // Half a unit in the last place of each coordinate.
+    let roundings = 0.5 * std::f64::consts::SQRT_2 * (last_place(ends) + last_place(result) / unit);
+    let audit = &sum.arrangement.audit;
+    let (k, m) = ((audit.late + audit.gather) as f64, sum.convolution.pieces.len() as f64);
+    ARRANGEMENT * EPS * (1.0 + k * m) + roundings
+}
+
+fn ratio(found: Bracket, by: f64) -> Measured {
+    let measured = Measured::between((found.lo / by).next_down().max(0.0), (found.hi / by).next_up());
+    let (x, y) = found.witness;
+    if x.is_finite() && y.is_finite() { measured.at([x, y]) } else { measured }
+}
+
+fn shifted(region: &Region, by: f64) -> Region {
+    let mut shifted = region.clone();
+    shifted.loops.iter_mut().flatten().for_each(|node| node.x += by);
+    shifted
+}
+
+/// The distance over n eps of the monotonic sum, shifted by a length in the unit box.
+fn against_input(input: &Input, shift: fn(usize) -> f64) -> Option<Measured> {
+    let case = input.as_pair()?;
+    let (unit, n) = (unit(&case.a, &case.b), case.segments());
+    let [sum, _] = sums(case)?;
+    let result = plain(&shifted(&sum.region, shift(n) * unit));
+    let (a, b) = (plain(&case.a), plain(&case.b));
+    let found = if case.is_polygonal() {
+        hausdorff(&result, &polygon::sum_within(&a, &b, BUDGET).ok()?, unit).ok()?
+    } else {
+        Reference::new(&a, &b, unit, BUDGET).ok()?.measure(&result).ok()??
+    };
+    Some(ratio(found, n as f64 * EPS).of_size(n))
+}
+
+fn draw_growing(rng: &mut Rng, number: usize) -> Input {
+    // Certified references of many circle segments take long.
+    let most = if number % families::ALL < families::POLYGONS { 128 } else { 32 };
+    let (kind, a) = families::region(number, families::ALL, most, rng);
+    input(kind, a, shape::polygon(&noise(6, rng)))
+}
