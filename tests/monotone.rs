@@ -1,7 +1,8 @@
 //! The winding number of the monotonic convolution of polygons by definition: O - F - T (MS 5; memo E), in exact arithmetic
 //! and without the engine.
 
-use crate::chains::{Chain, Point, chains, concave, convolved, edges, rings, winding};
+use arcsum_oracle::chains::{Chain, Point, chains, concave, convolved, edges, rings, winding};
+use arcsum_reports::bridge::plain;
 use arcsum::region::Region;
 use rug::Rational;
 
@@ -45,7 +46,7 @@ impl Monotone {
     /// The pairs of parts of two bounded polygons, the holes that no partner fits into filled (memo A8).
     #[must_use]
     pub fn new(a: &Region, b: &Region) -> Self {
-        let (all_a, all_b) = (parts(&rings(a)), parts(&rings(b)));
+        let (all_a, all_b) = (parts(&rings(&plain(a))), parts(&rings(&plain(b))));
         let pair = |p: &Part, q: &Part| [Side::new(filled(p, q)), Side::new(filled(q, p))];
         Self { pairs: all_a.iter().flat_map(|p| all_b.iter().map(move |q| pair(p, q))).collect() }
     }

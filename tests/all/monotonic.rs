@@ -10,7 +10,7 @@ use arcsum::region::Region;
 use arcsum::smooth::Smooth;
 use arcsum::sum3::Rounding;
 use arcsum_tests::cases;
-use arcsum_tests::chains::{Point, winding};
+use arcsum_oracle::chains::{Point, winding};
 use arcsum_tests::monotone::Monotone;
 use arcsum_tests::random::Random;
 use arcsum_tests::shapes::{Lattice, cells, holed, simple};

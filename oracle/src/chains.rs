@@ -1,6 +1,7 @@
-//! Chains and turning points of polygons by definition (MS 2; memo E1), in exact arithmetic and without the engine.
+//! Chains and turning points of polygons by definition (MS 2; memo E1), in exact arithmetic: ordinates of chains, of crusts
+//! and of moved chains at one abscissa.
 
-use arcsum::region::{Curve, Region};
+use crate::plain::{Bend, PlainRegion};
 use rug::Rational;
 use std::cmp::Ordering;
 
@@ -21,11 +22,11 @@ pub struct Chain {
 /// # Panics
 /// If a segment is bent or a coordinate is not finite.
 #[must_use]
-pub fn rings(region: &Region) -> Vec<Vec<Point>> {
+pub fn rings(region: &PlainRegion) -> Vec<Vec<Point>> {
     let exact = |x: f64| Rational::from_f64(x).expect("finite");
-    let ring = |nodes: &Vec<arcsum::region::Node>| {
-        assert!(nodes.iter().all(|node| node.curve == Curve::Line), "a polygon");
-        nodes.iter().map(|node| [exact(node.x), exact(node.y)]).collect()
+    let ring = |corners: &Vec<crate::plain::Corner>| {
+        assert!(corners.iter().all(|corner| corner.bend == Bend::Line), "a polygon");
+        corners.iter().map(|corner| [exact(corner.x), exact(corner.y)]).collect()
     };
     region.loops.iter().map(ring).collect()
 }
