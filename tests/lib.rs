@@ -1,7 +1,6 @@
 //! Shared inputs and judges of the integration tests.
 
 pub mod boundary;
-pub mod chains;
 pub mod fiber;
 pub mod shapes;
 pub mod tangle;

@@ -39,5 +39,6 @@ pub mod rivals;
 pub mod sampled;
 pub mod trace;
 pub mod trapezoid;
+pub mod turnings;
 pub mod union;
 mod walk;

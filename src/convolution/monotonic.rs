@@ -219,7 +219,7 @@ fn group(sums: &Sums, chains: &[Chains; 2], turnings: [usize; 2]) -> Group {
     let ends =
         [x(a[0], b[0]), x(a[1], b[1]), x(a[0], q.vertex), x(a[1], q.vertex), x(p.vertex, b[0]), x(p.vertex, b[1])];
     let (concave, common) = ([p.concave, q.concave], x(common[0], common[1]));
-    Group { left: p.left, concave, x: x(p.vertex, q.vertex), ends, common }
+    Group { left: p.left, turnings, concave, x: x(p.vertex, q.vertex), ends, common }
 }
 
 /// The kind of a chain of one region moved by a turning point of the other.

@@ -84,6 +84,8 @@ pub const ROWS: usize = TABLE.len();
 pub struct Group {
     /// Whether the chains begin at them, from left to right.
     pub left: bool,
+    /// Their places among the turning points of the two components.
+    pub turnings: [usize; 2],
     /// Whether each is concave.
     pub concave: [bool; 2],
     /// The abscissa of their sum.
@@ -204,6 +206,12 @@ impl Order {
     pub fn roles(&self, piece: u32) -> &[Role] {
         let start = if piece == 0 { 0 } else { self.ends[piece as usize - 1] };
         &self.roles[start as usize..self.ends[piece as usize] as usize]
+    }
+
+    /// A pair of turning points by its number.
+    #[must_use]
+    pub fn group_of(&self, (group, _): Role) -> &Group {
+        &self.groups[group as usize].group
     }
 
     /// Adds the pieces at this abscissa with an end at the same sum of turning points as this one.

@@ -13,7 +13,7 @@ use arcsum_oracle::monotone::Monotone;
 use arcsum_reports::bridge::plain;
 use arcsum_reports::cases::rng::Rng;
 use arcsum_tests::cases;
-use arcsum_tests::chains::{Point, winding};
+use arcsum_oracle::chains::{Point, winding};
 use arcsum_tests::shapes::{Lattice, cells, holed, simple};
 use glam::DVec2;
 use proptest::prelude::*;

@@ -18,7 +18,8 @@ use arcsum::smooth::Smooth;
 use arcsum::sum3::Rounding;
 use arcsum_reports::cases::shape::disc;
 use arcsum_tests::cases;
-use arcsum_tests::chains::{Chain, chains, concave, convolved, rings};
+use arcsum_oracle::chains::{Chain, chains, concave, convolved, rings};
+use arcsum_reports::bridge::plain;
 use arcsum_tests::shapes::{Lattice, simple};
 use glam::DVec2;
 use proptest::prelude::*;
@@ -31,7 +32,7 @@ fn polygon(corners: &[(f64, f64)]) -> Region {
 /// The lower and the upper chain that begin at a left convex turning point, a corner of an integer polygon.
 fn chains_from(region: &Region, corner: (i32, i32)) -> [Chain; 2] {
     let p = [Rational::from(corner.0), Rational::from(corner.1)];
-    let all = chains(&rings(region)[0]);
+    let all = chains(&rings(&plain(region))[0]);
     let lower = all.iter().find(|chain| !chain.upper && chain.path.first() == Some(&p));
     let upper = all.iter().find(|chain| chain.upper && chain.path.last() == Some(&p));
     [lower, upper].map(|chain| chain.expect("a left turning point").clone())
@@ -86,7 +87,7 @@ proptest! {
 
 /// The pairs of chains that begin at the left convex turning points of a polygon.
 fn left_convex(region: &Region) -> Vec<[Chain; 2]> {
-    let all = chains(&rings(region)[0]);
+    let all = chains(&rings(&plain(region))[0]);
     let concave = concave(&all);
     let pair = |k: usize| {
         let (before, after) = (&all[k], &all[(k + 1) % all.len()]);

@@ -3,7 +3,7 @@
 mod arcs;
 pub mod free;
 pub mod golden;
-mod places;
+pub(crate) mod places;
 pub mod polygon;
 mod realized;
 pub mod result;

@@ -16,20 +16,20 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// A place to test.
 #[derive(Clone, Debug)]
-pub(super) struct Place {
-    pub(super) spot: Spot,
+pub(crate) struct Place {
+    pub(crate) spot: Spot,
     /// How far it may be from the point it stands for.
-    pub(super) off: f64,
+    pub(crate) off: f64,
 }
 
 /// The places of a cell.
-pub(super) struct OfCell {
-    pub(super) inside: Vec<Place>,
-    pub(super) corners: Vec<Place>,
+pub(crate) struct OfCell {
+    pub(crate) inside: Vec<Place>,
+    pub(crate) corners: Vec<Place>,
 }
 
 /// The test points of a cell as exact places.
-pub(super) fn of_cell(cells: &Cells, cell: &Cell) -> OfCell {
+pub(crate) fn of_cell(cells: &Cells, cell: &Cell) -> OfCell {
     let spot = |point: [f64; 2]| {
         let parts = [point, cells.origin[0], cells.origin[1]];
         Spot::new(move |precision: Precision| {
@@ -45,7 +45,7 @@ pub(super) fn of_cell(cells: &Cells, cell: &Cell) -> OfCell {
 }
 
 /// The vertices and the middles of the segments of a result in input units, and how many of them are left out.
-pub(super) fn of_result(region: &Region, unit: f64) -> (Vec<Place>, u64) {
+pub(crate) fn of_result(region: &Region, unit: f64) -> (Vec<Place>, u64) {
     let points = points(region);
     // An odd stride takes vertices and middles in turn.
     let stride = points.len().div_ceil(MOST).max(1) | 1;

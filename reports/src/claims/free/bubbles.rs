@@ -1,0 +1,52 @@
+//! M25: the kinetic convolution has falsely free points, whole cells of them, at any distance from the free space (MS 7).
+
+use super::mu::Mu;
+use super::probes::{Points, deepest};
+use crate::cases::rng::Rng;
+use crate::claims::control::Control;
+use crate::claims::draw;
+use crate::claims::finding::Measured;
+use crate::claims::input::Input;
+use crate::claims::sup::{Rule, Sup};
+use crate::claims::{Claim, Test};
+use crate::kept;
+use arcsum::sum::{Convolution, Options};
+
+/// So deep that no multiple of mu that could be meant reaches it.
+const DEEP: f64 = 1e6;
+
+pub(super) fn claims() -> [Claim; 1] {
+    let sup = Sup {
+        quantity: "greatest inradius of the overlap inside a free cell of the kinetic sum over mu",
+        unit: "mu",
+        rule: Rule::Exceeds(DEEP),
+        draws: [40, 4_000],
+        draw: pair,
+        measure: |input| measured(input, Convolution::Kinetic),
+        kept: kept!("M25"),
+        control: Control::Measure {
+            plants: "the monotonic sum",
+            measure: |input| measured(input, Convolution::Monotonic),
+        },
+    };
+    [Claim {
+        id: "M25",
+        place: "MS 7",
+        says: "The approximate kinetic sum can leave out cells inside the exact sum, bubbles, at whose points no perturbation \
+               by mu makes the parts free: their overlap is not bounded by mu.",
+        erratum: "",
+        test: Test::Sup(sup),
+    }]
+}
+
+fn pair(rng: &mut Rng, number: usize) -> Input {
+    draw::pair(rng, number)
+}
+
+/// The greatest inradius inside of free cells, of operands that are 2 mu separated.
+fn measured(input: &Input, convolution: Convolution) -> Option<Measured> {
+    let case = input.as_pair()?;
+    let options = Options { convolution, ..Options::default() };
+    let mu = Mu::by(case, &options).filter(|mu| mu.separates(case))?;
+    deepest(case, &options, mu, Points::Inside)
+}

@@ -1,0 +1,99 @@
+//! M51: the sum with a small disc makes regions separated that are not (MS 8.3).
+
+use crate::bridge::{plain, unit};
+use crate::cases::rng::Rng;
+use crate::cases::shape::{Point, disc, polygon};
+use crate::claims::control::Control;
+use crate::claims::draw;
+use crate::claims::finding::Measured;
+use crate::claims::input::Input;
+use crate::claims::sup::{Rule, Sup};
+use crate::claims::{Claim, Test};
+use crate::kept;
+use arcsum::region::Region;
+use arcsum::sum::{Options, sum};
+use arcsum_oracle::certified::separation::separation;
+
+/// The radius of the disc; the drawn regions are about 1 large.
+const RADIUS: f64 = 0.01;
+
+pub(super) fn claims() -> [Claim; 2] {
+    let sup = Sup {
+        quantity: "radius of the disc over the separation of the sum",
+        unit: "1",
+        rule: Rule::AtMost(1.0),
+        draws: [150, 15_000],
+        draw: |rng, number| comb(rng, number, any_width),
+        measure: |input| measured(input, true),
+        kept: kept!("M51_printed"),
+        control: Control::Itself,
+    };
+    let printed = Claim {
+        id: "M51 printed",
+        place: "MS 8.3",
+        says: "The sum of a region that is not separated with a small disc is a separated one.",
+        erratum: "A gap a little wider than the disc becomes one a little wider than nothing: all gaps must be far narrower \
+                  than the disc or wider.",
+        test: Test::Sup(sup.clone()),
+    };
+    let corrected = Claim {
+        id: "M51 corrected",
+        place: "MS 8.3",
+        says: "If the gaps of a region are a few roundings wide, or at least four times the radius, its sum with a disc is \
+               separated by the radius.",
+        erratum: "",
+        test: Test::Sup(Sup {
+            draw: |rng, number| comb(rng, number, clear_width),
+            kept: kept!("M51_corrected"),
+            control: Control::Measure { plants: "the region without the disc", measure: |input| measured(input, false) },
+            ..sup
+        }),
+    };
+    [printed, corrected]
+}
+
+/// A few roundings, or far more than the disc.
+fn clear_width(rng: &mut Rng) -> f64 {
+    match rng.below(2) {
+        0 => rng.between(1.0, 16.0) * f64::EPSILON,
+        _ => rng.between(5.0, 20.0) * RADIUS,
+    }
+}
+
+/// The same, or close to the diameter of the disc.
+fn any_width(rng: &mut Rng) -> f64 {
+    match rng.below(3) {
+        0 => (2.0 + rng.between(0.0, 0.2)) * RADIUS,
+        _ => clear_width(rng),
+    }
+}
+
+/// A comb with gaps of such widths and a disc.
+fn comb(rng: &mut Rng, _: usize, width: fn(&mut Rng) -> f64) -> Input {
+    let (tilt, mut y, mut points) = (rng.between(-0.3, 0.3), 0.0, Vec::<Point>::new());
+    let at = |x: f64, y: f64| [x, y + tilt * x];
+    let teeth = 2 + rng.below(3);
+    for tooth in 0..teeth {
+        let (reach, height) = (rng.between(0.6, 1.0), rng.between(0.1, 0.3));
+        points.extend([at(reach, y), at(reach, y + height)]);
+        y += height;
+        if tooth + 1 < teeth {
+            let gap = width(rng);
+            points.extend([at(0.25, y), at(0.25, y + gap)]);
+            y += gap;
+        }
+    }
+    points.extend([at(0.0, y), at(0.0, 0.0)]);
+    draw::input("comb", polygon(&points), disc(RADIUS))
+}
+
+/// The radius of B over the separation of the sum, or over that of A; none if A is separated by the radius.
+fn measured(input: &Input, summed: bool) -> Option<Measured> {
+    let case = input.as_pair()?;
+    let radius = case.b.loops.first()?.first()?.x;
+    let side = unit(&case.a, &case.b);
+    let apart = |region: &Region| separation(&plain(region), side).ok();
+    let before = apart(&case.a).filter(|before| before.hi() * side < radius)?;
+    let after = if summed { apart(&sum(&case.a, &case.b, &Options::default()).ok()?.region)? } else { before };
+    Some(Measured::between(radius / (after.hi() * side), radius / (after.lo() * side)))
+}
