@@ -140,7 +140,13 @@ impl Piece {
             }
             Some(circle) => {
                 let height = (circle.radius.square() - (x - &circle.centre.x).square()).sqrt();
-                if self.is_upper() { &circle.centre.y + &height } else { &circle.centre.y - &height }
+                let [high, low] = [&circle.centre.y + &height, &circle.centre.y - &height];
+                match self.is_upper() {
+                    Some(true) => high,
+                    Some(false) => low,
+                    // An arc too small for the precision may be on either side of its centre.
+                    None => low.hull(&high),
+                }
             }
         }
     }
@@ -158,12 +164,11 @@ impl Piece {
         Self { from: swap(&self.from), to: swap(&self.to), circle }
     }
 
-    /// Whether an arc lies in the upper half of its circle, as far as its precision tells.
-    fn is_upper(&self) -> bool {
-        self.circle.as_ref().is_some_and(|circle| {
-            let middle = &(&self.from + &self.to) * &Real::from(0.5);
-            (&middle.y - &circle.centre.y).mid() > 0.0
-        })
+    /// Whether an arc lies in the upper half of its circle; none if its precision does not tell.
+    fn is_upper(&self) -> Option<bool> {
+        let circle = self.circle.as_ref()?;
+        let middle = &(&self.from + &self.to) * &Real::from(0.5);
+        (&middle.y - &circle.centre.y).sign().map(Ordering::is_gt)
     }
 
     /// The box `[x0, y0, x1, y1]` around it.
@@ -177,5 +182,33 @@ impl Piece {
             high(&self.from.x, &self.to.x),
             high(&self.from.y, &self.to.y),
         ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::precision::Precision;
+    use super::*;
+
+    /// The upper right quarter of a circle of radius r about (1/2, 1/2), its ends as uncertain as given, mostly downwards.
+    fn quarter(r: f64, blur: f64) -> Piece {
+        let exactly = |x: f64| Real::new(x, Precision::DOUBLE);
+        let about = |x: f64| exactly(x - 2.0 * blur).hull(&exactly(x + blur));
+        let at = |x: f64, y: f64| Vector { x: about(0.5 + x), y: about(0.5 + y) };
+        let circle = Circle { centre: Vector { x: exactly(0.5), y: exactly(0.5) }, radius: exactly(r), left: true };
+        Piece { from: at(r, 0.0), to: at(0.0, r), circle: Some(circle) }
+    }
+
+    /// A sum of the realizations of two nearly equal rings had a tiny arc taken for its lower half at the precision of
+    /// doubles, and with it a false part of the sum 0.17 high.
+    #[test]
+    fn an_arc_that_may_be_on_either_side_of_its_centre_has_both_ordinates() {
+        let height = 0.75_f64.sqrt();
+        let middle = |piece: &Piece, r: f64| piece.ordinate(&Real::new(0.5 + 0.5 * r, Precision::DOUBLE));
+        let sharp = middle(&quarter(0.25, 0.0), 0.25);
+        assert!(sharp.lo() > 0.5 + 0.25 * height - 1e-12 && sharp.hi() < 0.5 + 0.25 * height + 1e-12, "{sharp:?}");
+        let tiny = 16.0 * f64::EPSILON;
+        let blurred = middle(&quarter(tiny, tiny), tiny);
+        assert!(blurred.lo() < 0.5 - 0.8 * tiny && blurred.hi() > 0.5 + 0.8 * tiny, "{blurred:?}");
     }
 }

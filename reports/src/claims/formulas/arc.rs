@@ -132,8 +132,14 @@ pub fn pick(arc: &Arc, fraction: f64) -> (Ang, Float) {
     (theta, u)
 }
 
+/// Errors in eps of the unit box are about ends inside it.
+fn in_unit_box(input: &[f64]) -> bool {
+    input[..4].iter().all(|c| c.abs() <= 1.0)
+}
+
 fn monotone_arc(input: &[f64]) -> Option<Arc> {
     let (tail, head) = ends(input);
+    in_unit_box(input).then_some(())?;
     let arc = Arc::with_radius(tail, head, input[4]).ok()?;
     ((0.0..=1.0).contains(&input[5]) && arc.a() != arc.b() && arc.cuts().is_empty()).then_some(arc)
 }
@@ -203,5 +209,6 @@ fn printed_point_error(input: &[f64]) -> Option<f64> {
         * (head.x - tail.x);
     let p = tail + DVec2::new(dx, -dx / libm::tan((theta + alpha) / 2.0));
     let circle = Circular::with_radius(tail.into(), head.into(), input[4])?;
-    (arc.delta().abs() > 1e-4 && p.is_finite()).then(|| in_eps(&circle.off_circle(p.into()), &big(1.0)))
+    (in_unit_box(input) && arc.delta().abs() > 1e-4 && p.is_finite())
+        .then(|| in_eps(&circle.off_circle(p.into()), &big(1.0)))
 }

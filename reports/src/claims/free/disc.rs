@@ -45,7 +45,10 @@ pub(super) fn claims() -> [Claim; 2] {
         test: Test::Sup(Sup {
             draw: |rng, number| comb(rng, number, clear_width),
             kept: kept!("M51_corrected"),
-            control: Control::Measure { plants: "the region without the disc", measure: |input| measured(input, false) },
+            control: Control::Measure {
+                plants: "the region without the disc",
+                measure: |input| measured(input, false),
+            },
             ..sup
         }),
     };

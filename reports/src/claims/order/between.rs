@@ -80,7 +80,8 @@ fn draw(rng: &mut Rng, number: usize) -> Input {
 }
 
 fn measured(input: &Input, way: Way) -> Option<Measured> {
-    let numbers = input.as_numbers(FUNCTIONS).filter(|numbers| numbers.len() >= 8 && numbers.len().is_multiple_of(2))?;
+    let numbers =
+        input.as_numbers(FUNCTIONS).filter(|numbers| numbers.len() >= 8 && numbers.len().is_multiple_of(2))?;
     let exact: Option<Vec<Rational>> = numbers.iter().map(|x| Rational::from_f64(*x)).collect();
     let exact = exact.filter(|n| n[0] < n[1] && n[2] < n[3])?;
     let count = (exact.len() - 4) / 2;

@@ -36,8 +36,9 @@ fn points(plot: &Plot, bound: Option<f64>) -> Option<String> {
         up = (up.0.min(limit), up.1.max(limit));
     }
     let chart = Chart { height: HEIGHT, across: axis(across, plot.log[0]), up: axis(up, plot.log[1]) };
-    let mut body =
-        labels(&chart, plot.log) + &chart.across_name(&plot.x) + &limit.map_or_else(String::new, |y| line(&chart, y));
+    let mut body = labels(&chart, plot.log, 0)
+        + &chart.across_name(&plot.x)
+        + &limit.map_or_else(String::new, |y| line(&chart, y));
     for (i, of) in plot.series.iter().enumerate() {
         body += &marks(&chart, i, of, plot.log);
     }
@@ -57,7 +58,8 @@ fn axis((low, high): (f64, f64), log: bool) -> (f64, f64) {
     if high > low { (low - room, high + room) } else { (low - 0.5, high + 0.5) }
 }
 
-fn labels(chart: &Chart, log: [bool; 2]) -> String {
+/// Labels on both axes; where `most` is not 0 the vertical one counts up to it.
+fn labels(chart: &Chart, log: [bool; 2], most: usize) -> String {
     let ticks = |(low, high): (f64, f64), log: bool| -> Vec<(f64, String)> {
         if log {
             let (first, last) = (low.ceil() as i32, high.floor() as i32);
@@ -68,7 +70,9 @@ fn labels(chart: &Chart, log: [bool; 2]) -> String {
         (0..TICKS).map(|i| (at(i), written(at(i)))).collect()
     };
     let below: String = ticks(chart.across, log[0]).iter().map(|(v, words)| chart.below(*v, words)).collect();
-    below + &ticks(chart.up, log[1]).iter().map(|(v, words)| chart.left(*v, words)).collect::<String>()
+    let counts = (0..=most).step_by((most / TICKS).max(1)).map(|n| (n as f64, n.to_string()));
+    let left = if most > 0 { counts.collect() } else { ticks(chart.up, log[1]) };
+    below + &left.iter().map(|(v, words)| chart.left(*v, words)).collect::<String>()
 }
 
 /// A horizontal line.
@@ -116,11 +120,11 @@ fn histogram(plot: &Plot, bound: Option<f64>) -> Option<String> {
         )
     };
     let bars: String = counts.iter().enumerate().filter(|(_, count)| **count > 0).map(bar).collect();
-    let below = labels(&chart, [log, false]);
+    let below = labels(&chart, [log, false], most);
     let left_out = values.len() - on_axis.len();
     let bound = bound.map_or_else(String::new, |bound| format!(" The bound is {}.", written(bound)));
     let zero = if left_out > 0 { format!(" {left_out} are 0.") } else { String::new() };
-    let words = format!("How many of {} inputs.{zero}{bound}", values.len());
+    let words = format!("How many of {} inputs, a sample if there are more.{zero}{bound}", values.len());
     Some(chart.html(&plot.x, &words, &(below + &bars)))
 }
 
