@@ -136,7 +136,8 @@ fn path(pieces: &Pieces, crust: &[usize], lift: f64) -> Option<Vec<Point>> {
     let heads: Vec<u32> = ends.values().copied().collect();
     let mut at = *ends.keys().find(|tail| !heads.contains(tail))?;
     let exact = |x: f64| Rational::from_f64(x);
-    let point = |v: u32| Some([exact(pieces.points[v as usize].x)?, exact(pieces.points[v as usize].y)? + exact(lift)?]);
+    let point =
+        |v: u32| Some([exact(pieces.points[v as usize].x)?, exact(pieces.points[v as usize].y)? + exact(lift)?]);
     let mut path = vec![point(at)?];
     while let Some(&next) = ends.get(&at).filter(|_| path.len() <= ends.len()) {
         path.push(point(next)?);

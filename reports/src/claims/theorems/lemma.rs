@@ -62,7 +62,8 @@ fn measure(input: &Input, shift: fn(usize) -> f64) -> Option<Measured> {
     let case = input.as_pair()?;
     let n = case.segments();
     let regions = stored(&case.a, &case.b).ok()?;
-    let moved: f64 = regions.iter().map(|region| realize(region).ok().map(|r| r.moved.greatest())).sum::<Option<f64>>()?;
+    let moved: f64 =
+        regions.iter().map(|region| realize(region).ok().map(|r| r.moved.greatest())).sum::<Option<f64>>()?;
     let rounded = rounding(case, &regions, shift(n))?;
     let ends = moved + rounded;
     Some(Measured::exactly((1.0 + SAGITTA) * ends / (n as f64 * EPS)).of_size(n))
