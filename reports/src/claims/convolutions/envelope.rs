@@ -161,7 +161,7 @@ fn minus(p: &Point, q: &Point) -> Point {
 
 /// Staircases with verticals inside and at the ends of chains, and polygons of any kind.
 fn draw(rng: &mut Rng, number: usize) -> Input {
-    if number % 3 > 0 {
+    if !number.is_multiple_of(3) {
         return draw::polygons(rng, number);
     }
     let mut staircase = || {

@@ -55,7 +55,7 @@ pub(super) fn claims() -> [Claim; 2] {
             quantity: "Hausdorff distance / mu",
             unit: "1",
             rule: Rule::AtMost(1.0),
-            draws: [150, 15_000],
+            draws: [80, 8_000],
             draw: draw::pair,
             measure: |input| against_realizations(input, 0.0),
             kept: kept!("M16"),
