@@ -20,6 +20,7 @@
 //! | 7.1 | the convolution order is enforced between all related segments | it speaks of ordinates at one abscissa: where a line rises by much within a rounding of x, and between verticals, it says nothing |
 //! | 5.1 | T segments are boundaries | reversed boundaries: [`crate::chain`] and the convolution |
 //! | 4.2 | vertical distance in Theorems 1 and 3 | end points have rounded abscissas, so on steep pieces only a Hausdorff distance can be small |
+//! | 6.1 | the vertical error of T segments is trivially O(eps) | half a unit in the last place of the abscissa times their slope: their ends are right to a unit |
 //! | 4.2 | Theorem 1: chains move vertically by a few eps | an arc of sweep s that continues a vertical line moves by up to 0.6/s eps: realized along a direction clear of all stored ones |
 //! | 4.2 | chains are split at every angle of the convolution | angles an ulp apart give swapped or equal points: arcs are not split, since an exact arc has every normal |
 //! | 7.1, 7.2 | rule 4: L1+L2 is nowhere above U1+U2 | only as far as the shorter chain of each pair reaches: 17/4 above 15/4 at 13/2 in a test on small integers, [`crate::convolution::order`] |

@@ -183,19 +183,27 @@ fn apart(input: &Input, lift: fn(usize) -> f64) -> Option<Measured> {
     Some(Measured::between((found.lo / unit).next_down(), (found.hi / unit).next_up()).of_size(n))
 }
 
-/// Abscissas in steps of at least so much, from 0 to 1, and heights at random above and below.
+/// Abscissas at random from 0 to 1, and heights at random above and below. If the step is below 1, a line above rises
+/// or falls by a third or more over so much.
 fn hills(n: usize, step: f64, rng: &mut Rng) -> Region {
     let columns = (n / 2).max(2);
     let row = |rng: &mut Rng, lo: f64| -> Vec<Corner> {
         let place = |k: usize| (k as f64 + 0.8 * rng.unit()) / columns as f64;
-        let mut xs: Vec<f64> = (1..columns - 1).map(place).collect();
-        if xs.len() > 1 && step < 1.0 {
-            xs[1] = xs[0] + step;
-        }
+        let xs: Vec<f64> = (1..columns - 1).map(place).collect();
         let ends = [0.0].into_iter().chain(xs).chain([1.0]);
         ends.map(|x| [x, rng.between(lo, lo + 0.3)]).collect()
     };
     let (bottom, mut top) = (row(rng, 0.0), row(rng, 0.4));
+    if step < 1.0 {
+        // High on one side of the step, low on the other.
+        let at = 1 + rng.below(top.len() - 2);
+        let high = rng.below(2) == 0;
+        for (i, corner) in top.iter_mut().enumerate() {
+            corner[1] += if (i <= at) == high { 0.0 } else { 0.3 };
+        }
+        let foot = [top[at][0] + step, if high { 0.75 } else { 0.35 }];
+        top.insert(at + 1, foot);
+    }
     top.reverse();
     polygon(&[bottom, top].concat())
 }

@@ -25,6 +25,9 @@ use libm::{scalbn, sin, tan};
 /// The most segments a region has.
 const MOST: u32 = 8192;
 
+/// Draws of quick effort: all kinds with 8 to 512 segments.
+const QUICK: usize = families::ALL * 7;
+
 pub(super) fn claims() -> [Claim; 2] {
     let printed = Claim {
         id: "M13 printed",
@@ -53,7 +56,7 @@ pub(super) fn claims() -> [Claim; 2] {
             quantity: "distance of matched points / (n eps), over n",
             unit: "1",
             rule: Rule::Flat,
-            draws: [families::ALL * 8, families::ALL * 11 * 10],
+            draws: [QUICK, families::ALL * 11 * 10],
             draw,
             measure: |input| as_corrected(input, |_| 0.0),
             kept: kept!("M13_corrected"),
@@ -107,7 +110,7 @@ fn as_corrected(input: &Input, turn: fn(usize) -> f64) -> Option<Measured> {
 
 fn draw(rng: &mut Rng, number: usize) -> Input {
     // All sizes of quick effort come first.
-    let most = if number < families::ALL * 8 { 1024 } else { MOST };
+    let most = if number < QUICK { 512 } else { MOST };
     let (kind, a) = families::region(number, families::ALL, most, rng);
     input(kind, a, polygon(&regular(3, 0.3, 0.1)))
 }
@@ -115,7 +118,8 @@ fn draw(rng: &mut Rng, number: usize) -> Input {
 /// Boxes with a nearly vertical side, or with a short circle segment that continues a vertical one.
 fn draw_steep(rng: &mut Rng, number: usize) -> Input {
     let lean = scalbn(rng.between(1.0, 2.0), -8 - (number / 2 % 30) as i32);
-    let (kind, a) = if number % 2 == 0 { ("leaning", leaning(lean, rng)) } else { ("tangent", tangent(lean, rng)) };
+    let (kind, a) =
+        if number.is_multiple_of(2) { ("leaning", leaning(lean, rng)) } else { ("tangent", tangent(lean, rng)) };
     input(kind, a, polygon(&regular(3, 0.3, 0.1)))
 }
 
