@@ -46,5 +46,5 @@ fn pair(rng: &mut Rng, number: usize) -> Input {
 fn measured(input: &Input, options: &Options) -> Option<Measured> {
     let case: &Case = input.as_pair()?;
     let mu = Mu::by(case, options).filter(|mu| mu.separates(case))?;
-    deepest(case, options, mu, Points::All)
+    deepest(case, options, mu, Points::Inside)
 }
