@@ -1,7 +1,7 @@
 //! M34: the monotonic convolution has no falsely free points (MS 7.2, Theorem 4).
 
 use super::mu::Mu;
-use super::probes::{Points, deepest};
+use super::probes::deepest;
 use crate::cases::Case;
 use crate::cases::rng::Rng;
 use crate::claims::control::Control;
@@ -21,11 +21,11 @@ pub(super) fn claims() -> [Claim; 1] {
         draws: [40, 4_000],
         draw: pair,
         measure: |input| measured(input, &Options::default()),
-        kept: kept!("M34_printed"),
+        kept: kept!("M34"),
         control: Control::Measure { plants: "the kinetic sum", measure: |input| measured(input, &kinetic()) },
     };
     [Claim {
-        id: "M34 printed",
+        id: "M34",
         place: "MS 7.2, Theorem 4",
         says: "The approximate monotonic sum of 2 mu separated regions has no falsely free points: wherever it is free, \
                perturbations by mu make the parts free.",
@@ -46,5 +46,5 @@ fn pair(rng: &mut Rng, number: usize) -> Input {
 fn measured(input: &Input, options: &Options) -> Option<Measured> {
     let case: &Case = input.as_pair()?;
     let mu = Mu::by(case, options).filter(|mu| mu.separates(case))?;
-    deepest(case, options, mu, Points::Inside)
+    deepest(case, options, mu)
 }
