@@ -1,9 +1,9 @@
 //! The winding number of the monotonic convolution of polygons by definition: O - F - T (MS 5; memo E), in exact arithmetic
 //! and without the engine.
 
+use arcsum::region::Region;
 use arcsum_oracle::chains::{Chain, Point, chains, concave, convolved, edges, rings, winding};
 use arcsum_reports::bridge::plain;
-use arcsum::region::Region;
 use rug::Rational;
 
 /// A connected polygon: its outer ring, then its holes.

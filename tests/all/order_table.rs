@@ -17,7 +17,8 @@ fn every_row_holds_and_is_met() {
     let mut met = [[0_usize; 2]; 10];
     for _ in 0..3000 {
         let [a, b] = [0, 1].map(|_| polygons.new_tree(&mut runner).expect("a polygon").current());
-        let lefts = |region| turnings(&plain(region)).into_iter().filter(|turning| turning.left).collect::<Vec<Turning>>();
+        let lefts =
+            |region| turnings(&plain(region)).into_iter().filter(|turning| turning.left).collect::<Vec<Turning>>();
         let (lefts_a, lefts_b) = (lefts(&a), lefts(&b));
         for (p, q) in lefts_a.iter().flat_map(|p| lefts_b.iter().map(move |q| (p, q))) {
             let start = Rational::from(&p.point[0] + &q.point[0]);

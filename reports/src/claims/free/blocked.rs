@@ -29,10 +29,7 @@ pub(super) fn claims() -> [Claim; 1] {
         draw: slits,
         measure: |input| measured(input, 0.0),
         kept: kept!("M35"),
-        control: Control::Measure {
-            plants: "a result moved by 32 mu",
-            measure: |input| measured(input, MOVED),
-        },
+        control: Control::Measure { plants: "a result moved by 32 mu", measure: |input| measured(input, MOVED) },
     };
     [Claim {
         id: "M35",

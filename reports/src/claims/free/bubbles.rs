@@ -2,7 +2,6 @@
 
 use super::mu::Mu;
 use super::probes::deepest;
-use crate::cases::rng::Rng;
 use crate::claims::control::Control;
 use crate::claims::draw;
 use crate::claims::finding::Measured;
@@ -22,7 +21,7 @@ pub(super) fn claims() -> [Claim; 1] {
         unit: "mu",
         rule: Rule::Exceeds(DEEP),
         draws: [40, 4_000],
-        draw: pair,
+        draw: draw::pair,
         measure: |input| measured(input, None),
         kept: kept!("M25"),
         control: Control::Measure {
@@ -38,10 +37,6 @@ pub(super) fn claims() -> [Claim; 1] {
         erratum: "",
         test: Test::Sup(sup),
     }]
-}
-
-fn pair(rng: &mut Rng, number: usize) -> Input {
-    draw::pair(rng, number)
 }
 
 /// The greatest inradius at points of free cells over mu, for operands that are 2 mu separated, with the heuristic at this

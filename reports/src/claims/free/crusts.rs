@@ -2,7 +2,6 @@
 
 use super::mu::Mu;
 use super::probes::{Probes, summed};
-use crate::cases::rng::Rng;
 use crate::claims::control::Control;
 use crate::claims::draw;
 use crate::claims::finding::Measured;
@@ -26,7 +25,7 @@ pub(super) fn claims() -> [Claim; 1] {
         unit: "mu",
         rule: Rule::AtMost(1.0),
         draws: [40, 4_000],
-        draw: pair,
+        draw: draw::pair,
         measure: |input| measured(input, 0),
         kept: kept!("M32"),
         control: Control::Measure {
@@ -42,10 +41,6 @@ pub(super) fn claims() -> [Claim; 1] {
         erratum: "",
         test: Test::Sup(sup),
     }]
-}
-
-fn pair(rng: &mut Rng, number: usize) -> Input {
-    draw::pair(rng, number)
 }
 
 /// The greatest inradius over mu at the middles of the trapezoids with this O - F in the sweep; none if the operands may not

@@ -46,7 +46,10 @@ pub(super) fn claims() -> [Claim; 2] {
         test: Test::Sup(Sup {
             draw: |rng, _| draw::input("comb", comb(rng, clear_width), polygon(&regular(13, RADIUS, 0.1))),
             kept: kept!("M51_corrected"),
-            control: Control::Measure { plants: "the region without the disc", measure: |input| measured(input, false) },
+            control: Control::Measure {
+                plants: "the region without the disc",
+                measure: |input| measured(input, false),
+            },
             ..sup
         }),
     };

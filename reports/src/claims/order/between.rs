@@ -80,7 +80,8 @@ fn draw(rng: &mut Rng, number: usize) -> Input {
 }
 
 fn measured(input: &Input, way: Way) -> Option<Measured> {
-    let numbers = input.as_numbers(FUNCTIONS).filter(|numbers| numbers.len() >= 8 && numbers.len().is_multiple_of(2))?;
+    let numbers =
+        input.as_numbers(FUNCTIONS).filter(|numbers| numbers.len() >= 8 && numbers.len().is_multiple_of(2))?;
     let exact: Option<Vec<Rational>> = numbers.iter().map(|x| Rational::from_f64(*x)).collect();
     let exact = exact.filter(|n| n[0] < n[1] && n[2] < n[3])?;
     let count = (exact.len() - 4) / 2;
@@ -131,7 +132,7 @@ fn contact([f1, f2]: &[Path; 2]) -> Option<[Point; 2]> {
 /// The functions of the proof of Lemma 3, where p points to the right.
 fn pushed([f1, f2]: &[Path; 2], p1: &Point, p2: &Point, p: &Point) -> [Path; 2] {
     let moved = |path: &Path, sign: i64| -> Path {
-        path.iter().map(|v| [0, 1].map(|i| Rational::from(&v[i] + Rational::from(&p[i] * sign)))).collect()
+        path.iter().map(|v| [0, 1].map(|i| &v[i] + Rational::from(&p[i] * sign))).collect()
     };
     let end = |path: &Path| path[path.len() - 1][0].clone();
     let joined = |left: &Path, from: &Rational, right: &Path, to: &Rational| {
@@ -187,7 +188,7 @@ fn distance(p: &Point, path: &Path) -> Rational {
         let (chord, from) = (way(&line[0], &line[1]), way(&line[0], p));
         let square = dot(&chord, &chord);
         let along = if square == 0 { Rational::new() } else { (dot(&chord, &from) / square).clamp(&0, &1) };
-        let off = [0, 1].map(|i| Rational::from(&from[i] - Rational::from(&chord[i] * &along)));
+        let off = [0, 1].map(|i| &from[i] - Rational::from(&chord[i] * &along));
         dot(&off, &off)
     };
     path.windows(2).map(to_line).min().unwrap_or_default()

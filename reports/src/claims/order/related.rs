@@ -57,7 +57,7 @@ fn pair(rng: &mut Rng, number: usize) -> Input {
             let (a, b) = combs(2 + rng.below(4) as u32);
             draw::input("combs", a, b)
         }
-        1 => draw::input("lattice", lattice(rng, 8), lattice(rng, 8)),
+        1 => draw::input("lattice", lattice(rng, 8, 8), lattice(rng, 8, 8)),
         _ => draw::pair(rng, number),
     }
 }

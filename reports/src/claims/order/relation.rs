@@ -22,11 +22,11 @@ const UNORDERED: Robustness = Robustness::ALL.without(Step::OrderedSwaps).withou
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Told {
     /// The crusts below and above t.
-    ByCrusts,
+    Crusts,
     /// The same, but that upper crusts above t are taken for ones below.
-    ByCrustsWrongly,
+    CrustsReversed,
     /// Moved chains, too.
-    ByAll,
+    All,
 }
 
 pub(super) fn claims() -> [Claim; 2] {
@@ -36,11 +36,11 @@ pub(super) fn claims() -> [Claim; 2] {
         rule: Rule::AtMost(0.0),
         draws: [150, 15_000],
         draw: pair,
-        measure: |input| cyclic(input, Robustness::ALL, Told::ByCrusts),
+        measure: |input| cyclic(input, Robustness::ALL, Told::Crusts),
         kept: kept!("M30"),
         control: Control::Measure {
             plants: "upper crusts above t taken for ones below",
-            measure: |input| cyclic(input, Robustness::ALL, Told::ByCrustsWrongly),
+            measure: |input| cyclic(input, Robustness::ALL, Told::CrustsReversed),
         },
     };
     let second = Claim {
@@ -59,11 +59,11 @@ pub(super) fn claims() -> [Claim; 2] {
         erratum: "",
         test: Test::Sup(Sup {
             draw: draw::pair,
-            measure: |input| cyclic(input, Robustness::ALL, Told::ByAll),
+            measure: |input| cyclic(input, Robustness::ALL, Told::All),
             kept: kept!("M33"),
             control: Control::Measure {
                 plants: "a sweep that does not know the convolution order",
-                measure: |input| cyclic(input, UNORDERED, Told::ByAll),
+                measure: |input| cyclic(input, UNORDERED, Told::All),
             },
             ..sup
         }),
@@ -117,7 +117,7 @@ impl<'s> Relation<'s> {
         for (place, member) in members.iter().enumerate() {
             if let Member::Crust { upper, chains: [i, j] } = *member {
                 let (own, partner) = (i, self.first + j);
-                match (upper, (place < below) != (upper && told == Told::ByCrustsWrongly)) {
+                match (upper, (place < below) != (upper && told == Told::CrustsReversed)) {
                     // t above U1+U2, or below L1+L2.
                     (true, true) => pairs.push([own, partner]),
                     (false, false) => pairs.push([partner, own]),
@@ -125,7 +125,7 @@ impl<'s> Relation<'s> {
                 }
             }
         }
-        if told == Told::ByAll {
+        if told == Told::All {
             self.extend(&members, below, &mut pairs);
         }
         !is_acyclic(self.nodes, pairs)

@@ -75,11 +75,7 @@ fn walls(rng: &mut Rng, number: usize) -> Input {
 
 /// Inversions among curves that share no end, in the order that `order` makes of that of each slab; none if `applies` says
 /// that the claim does not.
-fn inversions(
-    input: &Input,
-    order: fn(&Swept, &[u32]) -> Vec<u32>,
-    applies: fn(&Input) -> bool,
-) -> Option<Measured> {
+fn inversions(input: &Input, order: fn(&Swept, &[u32]) -> Vec<u32>, applies: fn(&Input) -> bool) -> Option<Measured> {
     let swept = applies(input).then(|| Swept::new(input.as_pair()?, Robustness::ALL)).flatten()?;
     let chains = [0, 1].map(|operand| Ordered::new(&swept.regions[operand], &swept.chains[operand]));
     let mut found = 0;
