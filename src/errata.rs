@@ -24,6 +24,9 @@
 //! | 4.2 | Theorem 1: chains move vertically by a few eps | an arc of sweep s that continues a vertical line moves by up to 0.6/s eps: realized along a direction clear of all stored ones |
 //! | 4.2 | chains are split at every angle of the convolution | angles an ulp apart give swapped or equal points: arcs are not split, since an exact arc has every normal |
 //! | 7.1, 7.2 | rule 4: L1+L2 is nowhere above U1+U2 | only as far as the shorter chain of each pair reaches: 17/4 above 15/4 at 13/2 in a test on small integers, [`crate::convolution::order`] |
+//! | 7.1 | an edge is related to at most five segments | five at each of its ends: a crust has two, and six are met |
+//! | 7.2, Lemma 3 | the functions f1', f2' are close to f1, f2 | they are, but not the other way round: a spike at an end may be dropped |
+//! | 7.2, Theorem 4 | no falsely free points | the proof takes errors for vertical ones: none where no segment is a few roundings wide and taller, as far as is known |
 //!
 //! The arrangement algorithm of MS reference 5 is not printed in MS. [`crate::arrangement`] is a design of its own with the
 //! bounds that MS quotes. Two things were learnt on lines that rise by much within a few units in the last place of x: curves

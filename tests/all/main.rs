@@ -19,6 +19,7 @@ mod frame;
 mod fuzzing;
 mod heuristic;
 mod iterated;
+mod merged_order;
 mod metamorphic;
 mod monotonic;
 mod multiplicity;

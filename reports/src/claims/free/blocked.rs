@@ -64,8 +64,8 @@ fn slits(rng: &mut Rng, number: usize) -> Input {
     draw::input("slit", polygon(&points), partner)
 }
 
-/// The distance over mu of the sum of the computed free space with B turned around. Both ways count: what is left out of the
-/// exact sum contains no disc larger than its distance from the result.
+/// The distance over mu between the exact and the approximate sum of the computed free space with B turned around, the result
+/// moved by some mu. What the result leaves out of the exact sum contains no disc larger than that.
 fn measured(input: &Input, by: f64) -> Option<Measured> {
     let case = input.as_pair().filter(|case| case.is_polygonal())?;
     let free = sum(&case.a, &case.b, &Options::default()).ok()?.region.complement();

@@ -1,8 +1,7 @@
 //! M25: the kinetic convolution has falsely free points, whole cells of them, at any distance from the free space (MS 7).
 
 use super::mu::Mu;
-use super::probes::{Points, deepest};
-use crate::cases::rng::Rng;
+use super::probes::deepest;
 use crate::claims::control::Control;
 use crate::claims::draw;
 use crate::claims::finding::Measured;
@@ -10,6 +9,7 @@ use crate::claims::input::Input;
 use crate::claims::sup::{Rule, Sup};
 use crate::claims::{Claim, Test};
 use crate::kept;
+use arcsum::heuristic::THRESHOLD;
 use arcsum::sum::{Convolution, Options};
 
 /// So deep that no multiple of mu that could be meant reaches it.
@@ -21,12 +21,12 @@ pub(super) fn claims() -> [Claim; 1] {
         unit: "mu",
         rule: Rule::Exceeds(DEEP),
         draws: [40, 4_000],
-        draw: pair,
-        measure: |input| measured(input, Convolution::Kinetic),
+        draw: draw::pair,
+        measure: |input| measured(input, None),
         kept: kept!("M25"),
         control: Control::Measure {
-            plants: "the monotonic sum",
-            measure: |input| measured(input, Convolution::Monotonic),
+            plants: "the heuristic that rejects free cells by their size",
+            measure: |input| measured(input, Some(THRESHOLD)),
         },
     };
     [Claim {
@@ -39,14 +39,11 @@ pub(super) fn claims() -> [Claim; 1] {
     }]
 }
 
-fn pair(rng: &mut Rng, number: usize) -> Input {
-    draw::pair(rng, number)
-}
-
-/// The greatest inradius inside of free cells, of operands that are 2 mu separated.
-fn measured(input: &Input, convolution: Convolution) -> Option<Measured> {
+/// The greatest inradius at points of free cells over mu, for operands that are 2 mu separated, with the heuristic at this
+/// threshold if there is one.
+fn measured(input: &Input, threshold: Option<f64>) -> Option<Measured> {
     let case = input.as_pair()?;
-    let options = Options { convolution, ..Options::default() };
+    let options = Options { convolution: Convolution::Kinetic, threshold, ..Options::default() };
     let mu = Mu::by(case, &options).filter(|mu| mu.separates(case))?;
-    deepest(case, &options, mu, Points::Inside)
+    deepest(case, &options, mu)
 }

@@ -2,7 +2,6 @@
 
 use super::mu::Mu;
 use super::probes::{Probes, summed};
-use crate::cases::rng::Rng;
 use crate::claims::control::Control;
 use crate::claims::draw;
 use crate::claims::finding::Measured;
@@ -13,15 +12,12 @@ use crate::claims::{Claim, Test};
 use crate::judge::places::Place;
 use crate::kept;
 use arcsum::frame::Frame;
-use arcsum::robustness::{Robustness, Step};
+use arcsum::robustness::Robustness;
 use arcsum_oracle::certified::depth::Depths;
 use arcsum_oracle::certified::precision::Precision;
 use arcsum_oracle::certified::spot::Spot;
 use arcsum_oracle::certified::vector::Vector;
 use glam::DVec2;
-
-/// The engine without the convolution order.
-const UNORDERED: Robustness = Robustness::ALL.without(Step::OrderedSwaps).without(Step::OrderedInsertion);
 
 pub(super) fn claims() -> [Claim; 1] {
     let sup = Sup {
@@ -29,12 +25,12 @@ pub(super) fn claims() -> [Claim; 1] {
         unit: "mu",
         rule: Rule::AtMost(1.0),
         draws: [40, 4_000],
-        draw: pair,
-        measure: |input| measured(input, Robustness::ALL),
+        draw: draw::pair,
+        measure: |input| measured(input, 0),
         kept: kept!("M32"),
         control: Control::Measure {
-            plants: "a sweep that does not know the convolution order",
-            measure: |input| measured(input, UNORDERED),
+            plants: "one upper crust more below every point than the sweep has there",
+            measure: |input| measured(input, 1),
         },
     };
     [Claim {
@@ -47,23 +43,19 @@ pub(super) fn claims() -> [Claim; 1] {
     }]
 }
 
-fn pair(rng: &mut Rng, number: usize) -> Input {
-    draw::pair(rng, number)
-}
-
-/// The greatest inradius over mu at the middles of the trapezoids with O - F = 0; none if there are none, or if the operands
-/// may not be 2 mu separated.
-fn measured(input: &Input, robustness: Robustness) -> Option<Measured> {
+/// The greatest inradius over mu at the middles of the trapezoids with this O - F in the sweep; none if the operands may not
+/// be 2 mu separated.
+fn measured(input: &Input, count: i32) -> Option<Measured> {
     let case = input.as_pair()?;
     let mu = Mu::of(case).filter(|mu| mu.separates(case))?;
-    let swept = Swept::new(case, robustness)?;
+    let swept = Swept::new(case, Robustness::ALL)?;
     let frames = Frame::pair(&case.a, &case.b);
     let origin = [&frames.0, &frames.1].map(|frame| [frame.shift.x, frame.shift.y].map(|c| frame.length_to_unit(c)));
     let (summed, mut greatest) = (summed(case).ok()??, Measured::exactly(0.0));
     let depths = Depths::new(&summed).ok()?;
     let probes = Probes { depths: &depths, mu: mu.whole() };
     for (_, middle, curves, below) in swept.middles() {
-        if crusts_below(&swept, middle.x, &curves, below) != Some(0) {
+        if crusts_below(&swept, middle.x, &curves, below) != Some(count) {
             continue;
         }
         let (lo, hi) = probes.inradius(&Place { spot: spot(middle, origin), off: 0.0 }, greatest.lo);

@@ -2,7 +2,7 @@
 
 use crate::bridge::{plain, unit};
 use crate::cases::rng::Rng;
-use crate::cases::shape::{Point, disc, polygon};
+use crate::cases::shape::{Point, disc, polygon, regular};
 use crate::claims::control::Control;
 use crate::claims::draw;
 use crate::claims::finding::Measured;
@@ -23,7 +23,7 @@ pub(super) fn claims() -> [Claim; 2] {
         unit: "1",
         rule: Rule::AtMost(1.0),
         draws: [150, 15_000],
-        draw: |rng, number| comb(rng, number, any_width),
+        draw: |rng, _| draw::input("comb", comb(rng, any_width), disc(RADIUS)),
         measure: |input| measured(input, true),
         kept: kept!("M51_printed"),
         control: Control::Itself,
@@ -32,18 +32,19 @@ pub(super) fn claims() -> [Claim; 2] {
         id: "M51 printed",
         place: "MS 8.3",
         says: "The sum of a region that is not separated with a small disc is a separated one.",
-        erratum: "A gap a little wider than the disc becomes one a little wider than nothing: all gaps must be far narrower \
-                  than the disc or wider.",
+        erratum: "A gap a little wider than the disc becomes one a little wider than nothing. And an arc that should end where \
+                  it is vertical ends a rounding beyond: a chain as short as that comes between two others, which are not \
+                  incident then and touch nearly.",
         test: Test::Sup(sup.clone()),
     };
     let corrected = Claim {
         id: "M51 corrected",
         place: "MS 8.3",
-        says: "If the gaps of a region are a few roundings wide, or at least four times the radius, its sum with a disc is \
-               separated by the radius.",
+        says: "If the gaps of a polygon are a few roundings wide, or at least four times the radius, its sum with a regular \
+               polygon for a disc is separated by the radius.",
         erratum: "",
         test: Test::Sup(Sup {
-            draw: |rng, number| comb(rng, number, clear_width),
+            draw: |rng, _| draw::input("comb", comb(rng, clear_width), polygon(&regular(13, RADIUS, 0.1))),
             kept: kept!("M51_corrected"),
             control: Control::Measure {
                 plants: "the region without the disc",
@@ -71,8 +72,8 @@ fn any_width(rng: &mut Rng) -> f64 {
     }
 }
 
-/// A comb with gaps of such widths and a disc.
-fn comb(rng: &mut Rng, _: usize, width: fn(&mut Rng) -> f64) -> Input {
+/// A comb with gaps of such widths.
+fn comb(rng: &mut Rng, width: fn(&mut Rng) -> f64) -> Region {
     let (tilt, mut y, mut points) = (rng.between(-0.3, 0.3), 0.0, Vec::<Point>::new());
     let at = |x: f64, y: f64| [x, y + tilt * x];
     let teeth = 2 + rng.below(3);
@@ -87,13 +88,14 @@ fn comb(rng: &mut Rng, _: usize, width: fn(&mut Rng) -> f64) -> Input {
         }
     }
     points.extend([at(0.0, y), at(0.0, 0.0)]);
-    draw::input("comb", polygon(&points), disc(RADIUS))
+    polygon(&points)
 }
 
 /// The radius of B over the separation of the sum, or over that of A; none if A is separated by the radius.
 fn measured(input: &Input, summed: bool) -> Option<Measured> {
     let case = input.as_pair()?;
-    let radius = case.b.loops.first()?.first()?.x;
+    let corner = case.b.loops.first()?.first()?;
+    let radius = libm::hypot(corner.x, corner.y);
     let side = unit(&case.a, &case.b);
     let apart = |region: &Region| separation(&plain(region), side).ok();
     let before = apart(&case.a).filter(|before| before.hi() * side < radius)?;

@@ -13,22 +13,13 @@ use arcsum_oracle::certified::reference::Reference;
 use arcsum_oracle::error::{Budget, OracleError};
 use arcsum_oracle::polygon;
 
-/// The points of an engine's cells that are tested.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Points {
-    /// Those strictly inside of free cells.
-    Inside,
-    /// Those and the corners of the cells, as far as doubles tell these.
-    All,
-}
-
-/// The greatest inradius of the overlap over mu, at the points of an engine's free cells; rounded corners are forgiven their
-/// rounding. None if the engine has no sum, or the reference no answer at all.
-pub(super) fn deepest(case: &Case, options: &Options, mu: Mu, points: Points) -> Option<Measured> {
+/// The greatest inradius of the overlap over mu, at points strictly inside of an engine's free cells; at the corners of cells
+/// too thin for doubles inside, which are forgiven their rounding. None if the engine has no sum, or the reference no answer.
+pub(super) fn deepest(case: &Case, options: &Options, mu: Mu) -> Option<Measured> {
     let answer = sum(&case.a, &case.b, options).ok()?;
     let summed = summed(case).ok()??;
     let depths = Depths::new(&summed).ok()?;
-    Some(Probes { depths: &depths, mu: mu.whole() }.over(case, &answer, points))
+    Some(Probes { depths: &depths, mu: mu.whole() }.over(case, &answer))
 }
 
 /// The operands with the boundary of their exact sum; none where it is undecided.
@@ -50,15 +41,14 @@ pub(super) struct Probes<'d> {
 }
 
 impl Probes<'_> {
-    fn over(&self, case: &Case, answer: &Sum, points: Points) -> Measured {
+    fn over(&self, case: &Case, answer: &Sum) -> Measured {
         let cells = cells(answer);
         let free = cells.cells.iter().filter(|cell| cell.free);
         let places = |cell: &Cell| {
             let places = of_cell(&cells, cell);
-            let corners = if points == Points::All { places.corners } else { Vec::new() };
-            let at = |points: &[[f64; 2]]| points.to_vec();
-            let spots = at(&cell.inside).into_iter().chain(at(&cell.corners));
-            places.inside.into_iter().chain(corners).zip(spots).collect::<Vec<_>>()
+            let thin = cell.inside.is_empty();
+            let (places, spots) = if thin { (places.corners, &cell.corners) } else { (places.inside, &cell.inside) };
+            places.into_iter().zip(spots.clone()).collect::<Vec<_>>()
         };
         let side = unit(&case.a, &case.b);
         let mut greatest = Measured::exactly(0.0);

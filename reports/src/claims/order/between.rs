@@ -9,8 +9,11 @@ use crate::claims::{Claim, Test};
 use crate::kept;
 use rug::Rational;
 
-/// What the numbers are: the ends of both domains, then as many ordinates of f1 as of f2, at equal steps.
-const FUNCTIONS: &str = "l1, r1, l2, r2, ordinates of f1, of f2";
+/// What the numbers are: the ends of both domains, the abscissa of p, then as many ordinates of f1 as of f2, at equal steps.
+const FUNCTIONS: &str = "l1, r1, l2, r2, p_x, ordinates of f1, of f2";
+
+/// Where the ordinates begin.
+const ORDINATES: usize = 5;
 
 /// Points looked at on each line of a function.
 const ON_A_LINE: i64 = 8;
@@ -70,6 +73,7 @@ enum Way {
 fn draw(rng: &mut Rng, number: usize) -> Input {
     let lines = 2 + rng.below(5);
     let mut numbers = vec![0.0, 1.0, rng.between(-0.4, 0.4), 1.0 + rng.between(-0.4, 0.4)];
+    numbers.push(0.3 * rng.unit() * rng.unit());
     let mut ordinates: Vec<f64> = (0..2 * (lines + 1)).map(|_| rng.between(-1.0, 1.0)).collect();
     if number.is_multiple_of(2) {
         let place = [0, lines, lines + 1, 2 * lines + 1][rng.below(4)];
@@ -80,18 +84,18 @@ fn draw(rng: &mut Rng, number: usize) -> Input {
 }
 
 fn measured(input: &Input, way: Way) -> Option<Measured> {
-    let numbers =
-        input.as_numbers(FUNCTIONS).filter(|numbers| numbers.len() >= 8 && numbers.len().is_multiple_of(2))?;
+    let numbers = input.as_numbers(FUNCTIONS).filter(|n| n.len() > 8 && n.len() % 2 == 1)?;
     let exact: Option<Vec<Rational>> = numbers.iter().map(|x| Rational::from_f64(*x)).collect();
-    let exact = exact.filter(|n| n[0] < n[1] && n[2] < n[3])?;
-    let count = (exact.len() - 4) / 2;
+    let exact = exact.filter(|n| n[0] < n[1] && n[2] < n[3] && n[4] >= 0)?;
+    let count = (exact.len() - ORDINATES) / 2;
+    let (first, second) = exact[ORDINATES..].split_at(count);
     let path = |ends: &[Rational], ordinates: &[Rational]| -> Path {
         let step = Rational::from(&ends[1] - &ends[0]) / (count as i64 - 1);
         let point = |(i, y): (usize, &Rational)| [Rational::from(&step * i as i64) + &ends[0], y.clone()];
         ordinates.iter().enumerate().map(point).collect()
     };
-    let old = [path(&exact[..2], &exact[4..4 + count]), path(&exact[2..4], &exact[4 + count..])];
-    let [p1, p2] = contact(&old)?;
+    let old = [path(&exact[..2], first), path(&exact[2..4], second)];
+    let [p1, p2] = contact(&old, &exact[4])?;
     let p = [0, 1].map(|i| Rational::from(&p2[i] - &p1[i]));
     let square = Rational::from(&p[0] * &p[0]) + Rational::from(&p[1] * &p[1]);
     let new = pushed(&old, &p1, &p2, &p);
@@ -103,36 +107,27 @@ fn measured(input: &Input, way: Way) -> Option<Measured> {
     }
     let far = |(old, new): (&Path, &Path)| if way == Way::There { farthest(old, new) } else { farthest(new, old) };
     let farthest = old.iter().zip(&new).map(far).max()?;
-    Some(Measured::exactly((farthest / square).to_f64().sqrt()))
+    let is_more = farthest > square;
+    let ratio = (farthest / square).to_f64().sqrt();
+    // Rounding must not say that a distance is |p| when it is more.
+    Some(Measured::exactly(if is_more { ratio.max(1.0_f64.next_up()) } else { ratio.min(1.0) }))
 }
 
-/// A contact of the second kind of Fig. 14: points of f1 and of f2 such that f1 moved from the one to the other touches f2
-/// from below. Of the pairs of places tried, the one with the shortest way: f1 moved sideways, then down until it is in order.
-fn contact([f1, f2]: &[Path; 2]) -> Option<[Point; 2]> {
-    let mut best: Option<(Rational, [Point; 2])> = None;
-    for by in [(1, 100), (1, 20), (1, 10), (1, 5)].map(Rational::from) {
-        let shifted: Path = f1.iter().map(|v| [Rational::from(&v[0] + &by), v[1].clone()]).collect();
-        let abscissas = shifted.iter().chain(f2).map(|v| v[0].clone());
-        let over = abscissas.filter_map(|x| Some((value(&shifted, &x)? - value(f2, &x)?, x)));
-        let Some((down, x)) = over.max() else { continue };
-        if down <= 0 {
-            continue;
-        }
-        let p2 = [x.clone(), value(f2, &x)?];
-        let own = Rational::from(&x - &by);
-        let p1 = [own.clone(), value(f1, &own)?];
-        let length = Rational::from(&by * &by) + Rational::from(&down * &down);
-        if best.as_ref().is_none_or(|(least, _)| length < *least) {
-            best = Some((length, [p1, p2]));
-        }
-    }
-    best.map(|(_, points)| points)
+/// Points of f1 and of f2 such that f1 moved from the one to the other touches f2 from below (Fig. 14): it is moved to the
+/// right by as much as is given, and down as far as it takes. None if it need not go down.
+fn contact([f1, f2]: &[Path; 2], right: &Rational) -> Option<[Point; 2]> {
+    let shifted: Path = f1.iter().map(|v| [Rational::from(&v[0] + right), v[1].clone()]).collect();
+    let abscissas = shifted.iter().chain(f2).map(|v| v[0].clone());
+    let over = abscissas.filter_map(|x| Some((value(&shifted, &x)? - value(f2, &x)?, x)));
+    let (_, x) = over.max().filter(|(down, _)| *down > 0)?;
+    let own = Rational::from(&x - right);
+    Some([[own.clone(), value(f1, &own)?], [x.clone(), value(f2, &x)?]])
 }
 
 /// The functions of the proof of Lemma 3, where p points to the right.
 fn pushed([f1, f2]: &[Path; 2], p1: &Point, p2: &Point, p: &Point) -> [Path; 2] {
     let moved = |path: &Path, sign: i64| -> Path {
-        path.iter().map(|v| [0, 1].map(|i| Rational::from(&v[i] + Rational::from(&p[i] * sign)))).collect()
+        path.iter().map(|v| [0, 1].map(|i| &v[i] + Rational::from(&p[i] * sign))).collect()
     };
     let end = |path: &Path| path[path.len() - 1][0].clone();
     let joined = |left: &Path, from: &Rational, right: &Path, to: &Rational| {
@@ -188,7 +183,7 @@ fn distance(p: &Point, path: &Path) -> Rational {
         let (chord, from) = (way(&line[0], &line[1]), way(&line[0], p));
         let square = dot(&chord, &chord);
         let along = if square == 0 { Rational::new() } else { (dot(&chord, &from) / square).clamp(&0, &1) };
-        let off = [0, 1].map(|i| Rational::from(&from[i] - Rational::from(&chord[i] * &along)));
+        let off = [0, 1].map(|i| &from[i] - Rational::from(&chord[i] * &along));
         dot(&off, &off)
     };
     path.windows(2).map(to_line).min().unwrap_or_default()
@@ -201,7 +196,7 @@ mod tests {
     /// The memo's example: f1 = 0, f2 a spike of height 10 on [0, 0.1], then -0.05.
     #[test]
     fn a_spike_is_dropped() {
-        let mut numbers = vec![0.0, 1.0, 0.0, 1.0];
+        let mut numbers = vec![0.0, 1.0, 0.0, 1.0, 0.1];
         numbers.extend([0.0; 11]);
         numbers.push(10.0);
         numbers.extend([-0.05; 10]);

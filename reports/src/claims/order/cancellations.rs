@@ -1,8 +1,10 @@
 //! M29: where two segments cancel, two others are in order (MS 7.1; memo E6, E7), on ordinates of polygons in rationals.
 
-use super::exact::{between, excess, pair};
+use super::exact::{between, excess, lattice, pair};
 use crate::bridge::plain;
+use crate::cases::rng::Rng;
 use crate::claims::control::Control;
+use crate::claims::draw;
 use crate::claims::finding::Measured;
 use crate::claims::input::Input;
 use crate::claims::sup::{Rule, Sup};
@@ -19,8 +21,8 @@ pub(super) fn claims() -> [Claim; 1] {
         quantity: "greatest height of the lower one above the upper one",
         unit: "input units",
         rule: Rule::AtMost(0.0),
-        draws: [150, 15_000],
-        draw: pair,
+        draws: [1_500, 150_000],
+        draw: curled,
         measure: |input| measured(input, where_they_cancel),
         kept: kept!("M29"),
         control: Control::Measure {
@@ -36,6 +38,15 @@ pub(super) fn claims() -> [Claim; 1] {
         erratum: "",
         test: Test::Sup(sup),
     }]
+}
+
+/// Polygons of many corners on a lattice, which have concave turning points mostly, and any.
+fn curled(rng: &mut Rng, number: usize) -> Input {
+    if number.is_multiple_of(6) {
+        return pair(rng, number);
+    }
+    let side = 4 + rng.below(3);
+    draw::input("curled", lattice(rng, side, 10), lattice(rng, side, 10))
 }
 
 /// How far an inequality is broken at pairs of concave turning points; none where there is none to look at.

@@ -21,15 +21,15 @@ pub(super) fn pair(rng: &mut Rng, number: usize) -> Input {
         }
         _ => {
             let side = 3 + rng.below(4);
-            draw::input("lattice", lattice(rng, side), lattice(rng, side))
+            draw::input("lattice", lattice(rng, side, 4), lattice(rng, side, 4))
         }
     }
 }
 
-/// A polygon with corners on a lattice with so many steps to a side.
-pub(super) fn lattice(rng: &mut Rng, side: usize) -> Region {
+/// A polygon with so many corners and up to eight more on a lattice with so many steps to a side.
+pub(super) fn lattice(rng: &mut Rng, side: usize, corners: u32) -> Region {
     loop {
-        let random = twoopt::simple(4 + rng.below(9) as u32, rng);
+        let random = twoopt::simple(corners + rng.below(9) as u32, rng);
         let nodes = &random.loops[0];
         let greatest = nodes.iter().map(|node| node.x.abs().max(node.y.abs())).fold(0.0, f64::max);
         let step = |x: f64| (x / greatest * side as f64).round();
@@ -46,7 +46,7 @@ pub(super) fn lattice(rng: &mut Rng, side: usize) -> Region {
 pub(super) fn between([from, to]: [&Rational; 2]) -> Vec<Rational> {
     let width = Rational::from(to - from);
     [(1, 9_973), (1_999, 9_973), (5_003, 9_973), (8_009, 9_973), (9_972, 9_973)]
-        .map(|part| Rational::from(&width * Rational::from(part)) + from)
+        .map(|part| &width * Rational::from(part) + from)
         .into()
 }
 

@@ -29,7 +29,7 @@ pub(super) fn claims() -> [Claim; 2] {
         id: "M28 printed",
         place: "MS 7.1",
         says: "An edge is related to at most five segments, so inserting it in convolution order costs no more than a constant.",
-        erratum: "A crust has two ends that are sums of turning points, and may be related to five segments at each: ten.",
+        erratum: "Five are the others at one end. A crust has two ends that are sums of turning points, with five others each.",
         test: Test::Sup(sup.clone()),
     };
     let corrected = Claim {
@@ -57,7 +57,7 @@ fn pair(rng: &mut Rng, number: usize) -> Input {
             let (a, b) = combs(2 + rng.below(4) as u32);
             draw::input("combs", a, b)
         }
-        1 => draw::input("lattice", lattice(rng, 8), lattice(rng, 8)),
+        1 => draw::input("lattice", lattice(rng, 8, 8), lattice(rng, 8, 8)),
         _ => draw::pair(rng, number),
     }
 }

@@ -23,11 +23,11 @@ pub(super) fn claims() -> [Claim; 1] {
         rule: Rule::AtMost(0.0),
         draws: [120, 12_000],
         draw: walls,
-        measure: |input| inversions(input, |_, status| status.to_vec(), swept_is_separated),
+        measure: |input| inversions(input, <[u32]>::to_vec),
         kept: kept!("M27"),
         control: Control::Measure {
             plants: "neighbours of each slab exchanged",
-            measure: |input| inversions(input, |_, status| exchanged(status), swept_is_separated),
+            measure: |input| inversions(input, exchanged),
         },
     };
     [Claim {
@@ -39,17 +39,12 @@ pub(super) fn claims() -> [Claim; 1] {
     }]
 }
 
-/// Whether a case is 2 mu separated for certain.
-fn swept_is_separated(input: &Input) -> bool {
-    input.as_pair().is_some_and(|case| Mu::of(case).is_some_and(|mu| mu.separates(case)))
-}
-
 /// Neighbours exchanged two by two.
 fn exchanged(status: &[u32]) -> Vec<u32> {
     status.chunks(2).flat_map(|pair| pair.iter().rev().copied()).collect()
 }
 
-/// A comb or a stair with gaps from a tenth of mu to ten of it, against itself or a disc, or any pair.
+/// A comb with gaps from a tenth of mu to thirty of it and its negative or a disc, or any pair.
 fn walls(rng: &mut Rng, number: usize) -> Input {
     if number.is_multiple_of(3) {
         return draw::pair(rng, number);
@@ -73,10 +68,12 @@ fn walls(rng: &mut Rng, number: usize) -> Input {
     draw::input("walls", comb, partner)
 }
 
-/// Inversions among curves that share no end, in the order that `order` makes of that of each slab; none if `applies` says
-/// that the claim does not.
-fn inversions(input: &Input, order: fn(&Swept, &[u32]) -> Vec<u32>, applies: fn(&Input) -> bool) -> Option<Measured> {
-    let swept = applies(input).then(|| Swept::new(input.as_pair()?, Robustness::ALL)).flatten()?;
+/// Inversions among curves that share no end, in the order that `order` makes of that of each slab; none if the operands may
+/// not be 2 mu separated.
+fn inversions(input: &Input, order: fn(&[u32]) -> Vec<u32>) -> Option<Measured> {
+    let case = input.as_pair()?;
+    Mu::of(case).filter(|mu| mu.separates(case))?;
+    let swept = Swept::new(case, Robustness::ALL)?;
     let chains = [0, 1].map(|operand| Ordered::new(&swept.regions[operand], &swept.chains[operand]));
     let mut found = 0;
     let mut last = f64::NEG_INFINITY;
@@ -86,7 +83,7 @@ fn inversions(input: &Input, order: fn(&Swept, &[u32]) -> Vec<u32>, applies: fn(
             continue;
         }
         last = trapezoid.from;
-        let members: Vec<Member> = order(&swept, &status).iter().map(|curve| swept.member(*curve)).collect();
+        let members: Vec<Member> = order(&status).iter().map(|curve| swept.member(*curve)).collect();
         let pairs = (0..members.len()).flat_map(|i| (i + 1..members.len()).map(move |j| [i, j]));
         found += pairs.filter(|[i, j]| is_below(&swept, &chains, members[*j], members[*i], middle.x)).count();
     }
