@@ -1,9 +1,24 @@
 //! Claims about the arrangement: its error, size and time (MS 4, its reference 5, 8; M8, M14, M49, M50, A1 to A4).
 
+mod audit;
+mod degenerate;
+mod exact;
+mod growth;
+mod liar;
+mod perturbed;
+mod tails;
+mod tangle;
+mod vertices;
+
 use super::Claim;
 
 /// The claims of this family.
 #[must_use]
 pub fn claims() -> Vec<Claim> {
-    Vec::new()
+    let mut claims = vec![growth::claim(), exact::claim()];
+    claims.extend(perturbed::claims());
+    claims.extend(vertices::claims());
+    claims.extend(tails::claims());
+    claims.extend(degenerate::claims());
+    claims
 }
