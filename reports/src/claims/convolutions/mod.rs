@@ -1,9 +1,16 @@
 //! Claims about convex and monotonic convolutions (MS 3, 5, 6; M17 to M22).
 
+mod cells;
+mod merge;
+mod sizes;
+
 use super::Claim;
 
 /// The claims of this family.
 #[must_use]
 pub fn claims() -> Vec<Claim> {
-    Vec::new()
+    let mut claims = Vec::from(sizes::claims());
+    claims.extend(cells::claims());
+    claims.extend(merge::claims());
+    claims
 }

@@ -65,6 +65,10 @@ impl Told {
         let curves = triple.map(|curve| &self.curves[curve]);
         let from = curves.iter().map(|curve| curve.start.x).fold(f64::NEG_INFINITY, f64::max);
         let to = curves.iter().map(|curve| curve.end.x).fold(f64::INFINITY, f64::min);
+        let turns = |hi: bool, ij: bool, hj: bool| hi == ij && hi != hj;
+        if [&hi, &ij, &hj].iter().all(|answer| answer.points().is_empty()) {
+            return from < to && turns(hi.below, ij.below, hj.below);
+        }
         let changes = [&hi, &ij, &hj].into_iter().flat_map(|answer| answer.points()).map(|moment| moment.at.x);
         let mut places: Vec<f64> = changes.filter(|x| from < *x && *x < to).chain([from, to]).collect();
         places.sort_by(f64::total_cmp);
@@ -73,7 +77,7 @@ impl Told {
             let below = |answer: &Crossings| {
                 answer.below ^ (answer.points().iter().filter(|crossing| crossing.at.x < x).count() == 1)
             };
-            ends[0] < x && x < ends[1] && below(&hi) == below(&ij) && below(&hi) != below(&hj)
+            ends[0] < x && x < ends[1] && turns(below(&hi), below(&ij), below(&hj))
         })
     }
 }

@@ -9,7 +9,7 @@ use std::cell::Cell;
 
 /// How a module lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Lie {
+pub(in crate::claims) enum Lie {
     /// Not at all.
     None,
     /// Crossings are moved along the curves, and the order of curves that nowhere are far apart is drawn by lot.
@@ -22,19 +22,19 @@ impl Lie {
     const ALL: [Self; 3] = [Self::None, Self::Shifts, Self::Stairs];
 
     /// The lie of this number.
-    pub(super) fn numbered(number: f64) -> Option<Self> {
+    pub(in crate::claims) fn numbered(number: f64) -> Option<Self> {
         Self::ALL.into_iter().find(|lie| lie.number() == number)
     }
 
     /// Its number.
-    pub(super) fn number(self) -> f64 {
+    pub(in crate::claims) fn number(self) -> f64 {
         f64::from(self as u8)
     }
 }
 
 /// A module that lies, and counts what it is asked.
 #[derive(Clone, Debug)]
-pub(super) struct Liar {
+pub(in crate::claims) struct Liar {
     honest: FloatModule,
     lie: Lie,
     size: f64,
@@ -44,17 +44,17 @@ pub(super) struct Liar {
 
 impl Liar {
     /// A module for curves in a box with sides up to `extent`, whose lies are up to `size` long.
-    pub(super) fn new(lie: Lie, extent: f64, size: f64, seed: u64) -> Self {
+    pub(in crate::claims) fn new(lie: Lie, extent: f64, size: f64, seed: u64) -> Self {
         Self { honest: FloatModule::new(extent), lie, size, seed, asked: Cell::new(0) }
     }
 
     /// The honest one.
-    pub(super) fn honest(extent: f64) -> Self {
+    pub(in crate::claims) fn honest(extent: f64) -> Self {
         Self::new(Lie::None, extent, 0.0, 0)
     }
 
     /// How often it has been asked: the comparisons of the sweep.
-    pub(super) fn asked(&self) -> usize {
+    pub(in crate::claims) fn asked(&self) -> usize {
         self.asked.get()
     }
 

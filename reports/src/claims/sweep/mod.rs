@@ -4,10 +4,10 @@ mod audit;
 mod degenerate;
 mod exact;
 mod growth;
-mod liar;
+pub(super) mod liar;
 mod perturbed;
 mod tails;
-mod tangle;
+pub(super) mod tangle;
 mod vertices;
 
 use super::Claim;

@@ -26,7 +26,7 @@ use arcsum::smooth::Smooth;
 use arcsum::sum3::Rounding;
 
 /// Curves beyond which a convolution is not measured.
-const MOST: usize = 400;
+const MOST: usize = 300;
 
 /// The memo's constant c.
 const CONSTANT: f64 = 4.0;
@@ -85,7 +85,7 @@ fn measure(input: &Input, by_triples: bool, lie: Lie) -> Option<Measured> {
 }
 
 fn measured(pieces: &Pieces, by_triples: bool, lie: Lie) -> Option<Measured> {
-    if pieces.pieces.is_empty() || pieces.pieces.len() > MOST {
+    if !is_small(pieces) {
         return None;
     }
     let extent = extent(pieces);
@@ -93,6 +93,11 @@ fn measured(pieces: &Pieces, by_triples: bool, lie: Lie) -> Option<Measured> {
     let off = perturbation(&arrange_with(pieces, &module));
     let scale = EPS * extent * if by_triples { triples(pieces) } else { 1.0 };
     Some(Measured::between(off.lo / scale, off.hi / scale))
+}
+
+/// Whether all triples can be looked at.
+pub(super) fn is_small(pieces: &Pieces) -> bool {
+    (1..=MOST).contains(&pieces.pieces.len())
 }
 
 /// 1 + k m by the honest module.
@@ -110,7 +115,7 @@ pub(super) fn convolutions(a: &Region, b: &Region) -> Vec<Pieces> {
 }
 
 /// Any pair, nearly degenerate or not, and every fourth time one of a family.
-fn draw(rng: &mut Rng, number: usize) -> Input {
+pub(super) fn draw(rng: &mut Rng, number: usize) -> Input {
     let small = |rng: &mut Rng| disc(rng.between(0.01, 0.5));
     let (kind, (a, b)) = match number % 32 {
         3 => ("fork", fork::fork(1 + rng.below(2) as u32)),

@@ -11,6 +11,7 @@ use super::tangle::{Tangle, draw, extent};
 use crate::kept;
 use arcsum::angle::Ang;
 use arcsum::arrangement::arrange_with;
+use arcsum::arrangement::cross::CrossingModule;
 use arcsum::piece::{Piece, Pieces};
 use glam::DVec2;
 
@@ -30,7 +31,7 @@ enum Look {
 
 pub(super) fn claims() -> [Claim; 3] {
     let sup = |measure, kept, control| Sup {
-        quantity: "perturbation of order and vertices by eps (1 + k n), eps the accuracy of the module",
+        quantity: "perturbation of order and vertices by eps (1 + k n), eps the tolerance of the module",
         unit: "1",
         rule: Rule::AtMost(CONSTANT),
         draws: [600, 60_000],
@@ -79,7 +80,7 @@ pub(super) fn claims() -> [Claim; 3] {
 fn measure(input: &Input, look: Look, times: f64) -> Option<Measured> {
     let tangle = Tangle::of(input)?;
     let plain = tangle.pieces();
-    let accuracy = tangle.accuracy(&plain);
+    let accuracy = tangle.module(&plain).tolerance();
     let lying = if times > 1.0 { tangle.lying(times) } else { tangle };
     let bound = |pieces: &Pieces| {
         let told = Told::new(pieces, &lying.module(pieces));

@@ -17,6 +17,9 @@ const FORMAT: &str = "lie, size, seed; x0, y0, x1, y1, half sweep of each curve"
 /// Numbers before the curves.
 const HEAD: usize = 3;
 
+/// Numbers of curves in sets of growing size.
+const SIZES: [usize; 7] = [8, 12, 16, 24, 32, 48, 64];
+
 /// A set of curves and a lie about them.
 #[derive(Clone, Debug)]
 pub(super) struct Tangle {
@@ -66,11 +69,6 @@ impl Tangle {
         Liar::new(self.lie, extent, self.size * EPS * extent, self.seed.to_bits())
     }
 
-    /// How accurate the module is, in lengths: the honest one to an eps of the box, as far as claims count.
-    pub(super) fn accuracy(&self, pieces: &Pieces) -> f64 {
-        EPS * extent(pieces) * self.size.max(1.0)
-    }
-
     /// The same curves with lies so many times larger.
     pub(super) fn lying(self, times: f64) -> Self {
         Self { lie: Lie::Shifts, size: times * self.size.max(1.0), ..self }
@@ -86,7 +84,7 @@ fn is_monotone(chord: DVec2, delta: f64) -> bool {
 }
 
 /// The larger side of the box of the vertices.
-pub(super) fn extent(pieces: &Pieces) -> f64 {
+pub(in crate::claims) fn extent(pieces: &Pieces) -> f64 {
     let Some(&first) = pieces.points.first() else { return 0.0 };
     let (min, max) = pieces.points.iter().fold((first, first), |(min, max), p| (min.min(*p), max.max(*p)));
     (max - min).max_element()
@@ -101,7 +99,7 @@ pub(super) fn draw(rng: &mut Rng, number: usize) -> Input {
 
 /// Curves near each other in growing numbers, with a module that lies.
 pub(super) fn draw_sized(rng: &mut Rng, number: usize) -> Input {
-    of_kind(rng, 1 + number / 4 % 5, 8 << (number % 4))
+    of_kind(rng, 1 + number / SIZES.len() % 5, SIZES[number % SIZES.len()])
 }
 
 fn of_kind(rng: &mut Rng, kind: usize, count: usize) -> Input {
