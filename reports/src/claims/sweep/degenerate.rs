@@ -10,6 +10,7 @@ use super::super::finding::{Finding, Measured, Verdict, Worst};
 use super::super::plot::{Plot, Series};
 use super::super::{Claim, Test, Whole};
 use super::audit::Told;
+use super::clock::timed;
 use super::liar::Liar;
 use super::perturbed::convolutions;
 use super::tangle::extent;
@@ -21,7 +22,6 @@ use crate::cases::{combs, fork, gear};
 use arcsum::arrangement::arrange_with;
 use arcsum::piece::Pieces;
 use arcsum::region::Region;
-use std::time::Instant;
 
 /// The memo's bounds of "unchanged".
 const UNCHANGED: [f64; 2] = [0.8, 1.25];
@@ -62,7 +62,7 @@ pub(super) fn claims() -> [Claim; 2] {
 }
 
 /// Degenerate pairs under their names.
-fn pairs(rng: &mut Rng, size: u32) -> Vec<(&'static str, Region, Region)> {
+pub(super) fn pairs(rng: &mut Rng, size: u32) -> Vec<(&'static str, Region, Region)> {
     let style = Style { side: 8, cells: 6 * size as usize, holes: false, collinear: true, corners: Corners::Sharp };
     let (grid, rounded) = (cells(style, rng), cells(Style { corners: Corners::Rounded, ..style }, rng));
     let even = polygon(&regular(24 * size, 1.0, 0.0));
@@ -91,12 +91,13 @@ fn twin(region: &Region, rng: &mut Rng) -> Region {
 /// Seconds and work of an arrangement.
 fn arranged(pieces: &Pieces, all_pairs: bool) -> [f64; 2] {
     let module = Liar::honest(extent(pieces));
-    let start = Instant::now();
-    let map = arrange_with(pieces, &module);
-    if all_pairs {
-        std::hint::black_box(Told::new(pieces, &module).crossings());
-    }
-    [start.elapsed().as_secs_f64(), (module.asked() + map.audit.queued + map.audit.vertices) as f64]
+    let (seconds, map) = timed(|| {
+        if all_pairs {
+            std::hint::black_box(Told::new(pieces, &module).crossings());
+        }
+        arrange_with(pieces, &module)
+    });
+    [seconds, (module.asked() + map.audit.queued + map.audit.vertices) as f64]
 }
 
 /// The middle ratio of times, and the ratio of work, of a degenerate pair to its twin.

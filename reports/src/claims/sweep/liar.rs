@@ -151,3 +151,34 @@ impl<'a> Both<'a> {
         *crossing
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::tangle::{Tangle, draw};
+    use super::*;
+    use crate::cases::rng::Rng;
+
+    /// At many places of many pairs, where the module has f below g, f is not above g by more than the lie and a rounding.
+    #[test]
+    fn no_lie_is_longer_than_it_may_be() {
+        for number in (0..400).filter(|number| (1..=5).contains(&(number % 8))) {
+            let tangle = Tangle::of(&draw(&mut Rng::new(3, &format!("{number}")), number)).unwrap();
+            let pieces = tangle.pieces();
+            let module = tangle.module(&pieces);
+            let map = arcsum::arrangement::arrange(&pieces);
+            let curves: Vec<&Curve> = map.graph.curves.iter().take(map.audit.curves).collect();
+            for (j, g) in curves.iter().enumerate() {
+                for f in &curves[..j] {
+                    let (pair, answer) = (Both::new(f, g), module.cross(f, g));
+                    for i in 1..40 {
+                        let x = pair.from + (pair.to - pair.from) * f64::from(i) / 40.0;
+                        let passed = answer.points().iter().filter(|crossing| crossing.at.x <= x).count();
+                        let wrong = f.y_at(x) - g.y_at(x);
+                        let above = if answer.below ^ (passed == 1) { wrong } else { -wrong };
+                        assert!(pair.from >= pair.to || above <= 2.0 * module.tolerance(), "{number}: {above}");
+                    }
+                }
+            }
+        }
+    }
+}

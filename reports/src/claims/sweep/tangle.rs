@@ -18,7 +18,7 @@ const FORMAT: &str = "lie, size, seed; x0, y0, x1, y1, half sweep of each curve"
 const HEAD: usize = 3;
 
 /// Numbers of curves in sets of growing size.
-const SIZES: [usize; 7] = [8, 12, 16, 24, 32, 48, 64];
+const SIZES: [usize; 7] = [8, 12, 16, 24, 32, 48, 96];
 
 /// A set of curves and a lie about them.
 #[derive(Clone, Debug)]

@@ -8,7 +8,7 @@ use super::super::finding::Measured;
 use super::super::input::Input;
 use super::super::sup::{Rule, Sup};
 use super::super::{Claim, Test};
-use super::audit::Told;
+use super::audit::{Told, steps};
 use super::liar::{Liar, Lie};
 use super::perturbed::{convolutions, draw as draw_pair, is_small};
 use super::tangle::{Tangle, draw, draw_honest, draw_sized, extent};
@@ -59,9 +59,9 @@ impl Counts {
         2.0 * self.curves + self.crossings
     }
 
-    /// The work by so many times log n.
-    fn work_by(&self, steps: f64) -> Measured {
-        self.measured(self.work / steps / libm::log2(self.curves))
+    /// The work by that which so many vertices may take.
+    fn work_by(&self, vertices: f64) -> Measured {
+        self.measured(self.work / vertices / steps(self.curves))
     }
 
     fn measured(&self, value: f64) -> Measured {
@@ -107,12 +107,12 @@ fn size() -> [Claim; 2] {
 
 fn added_work() -> Claim {
     let test = Sup {
-        quantity: "questions and events by (2n + N + k n) log n",
+        quantity: "questions and events by (2n + N + 3 k n) (6 ln n + 8)",
         unit: "1",
-        rule: Rule::Flat,
+        rule: Rule::AtMost(1.0),
         draws: [700, 20_000],
         draw: draw_sized,
-        measure: |input| Counts::of(input).map(|c| c.work_by(c.generic() + c.cyclic * c.curves)),
+        measure: |input| Counts::of(input).map(|c| c.work_by(c.generic() + 3.0 * c.cyclic * c.curves)),
         kept: kept!("M8"),
         control: Control::Measure {
             plants: "a question for every pair of curves",
