@@ -1,7 +1,6 @@
 //! M17: the sizes of the three convolutions (MS 5, Fig. 8).
 //!
-//! Ratios of sizes are followed over growing members of families: what is only slightly larger in the worst case must not
-//! grow on any.
+//! Ratios of sizes are followed over growing members of families.
 
 use super::super::bench::Bench;
 use super::super::control::Control;
@@ -22,6 +21,9 @@ use arcsum::sum::{Convolution, Options, sum};
 use arcsum::sum3::Rounding;
 use std::f64::consts::{FRAC_PI_2, PI};
 
+/// What counts as slightly larger, as for "unchanged" times in the memo (M50).
+const SLIGHTLY: f64 = 1.25;
+
 /// Pairs of about so many segments.
 type Family = (&'static str, fn(&mut Rng, u32) -> (Region, Region));
 
@@ -35,8 +37,8 @@ const FAMILIES: [Family; 7] = [
     ("teeth and a round back", |_, n| (place::quarter_turned(&combs::combs(n / 4).0), half_disc(n))),
 ];
 
-/// A polygon of so many corners whose long side is round and faces away from the tips of the teeth, to the right. No tip has
-/// a normal in common with its edges, so convex and kinetic convolution are small; but every gap between teeth moves all of it.
+/// A polygon of so many corners whose long side is round and faces away from the tips of teeth: no tip has a normal in common
+/// with its edges, so all that the gaps between the teeth move has to cancel.
 fn half_disc(corners: u32) -> Region {
     let corner = |i: u32| polar(0.5, PI * (f64::from(i) + 0.5) / f64::from(corners) - FRAC_PI_2);
     polygon(&(0..corners).map(corner).collect::<Vec<_>>())
@@ -63,23 +65,23 @@ pub(super) fn claims() -> [Claim; 3] {
     [
         claim(
             "M17 convex",
-            "The monotonic convolution is only slightly larger than the convex one in the worst case.",
-            "It can be larger by any factor: each concave turning point moves all of the other boundary, also what no sum runs along.",
+            "The monotonic convolution is only slightly larger than the convex one in the worst case, here: at most 1.25 times.",
+            "On stars it is twice, on combs nearly three times as large: what concave turning points move does not all cancel. The factor levels off.",
             Whole {
-                quantity: "exponent of growth of monotonic by convex segments, the family where it is greatest",
+                quantity: "greatest ratio of monotonic to convex segments",
                 unit: "1",
-                run: |bench| growth(bench, |[_, monotonic, convex]| monotonic / convex),
+                run: |bench| greatest(bench, SLIGHTLY, |[_, monotonic, convex]| monotonic / convex),
                 control: Control::Itself,
             },
         ),
         claim(
             "M17 kinetic",
             "The monotonic convolution is no larger than the kinetic one.",
-            "It often is smaller, but for the same reason it can be larger by any factor.",
+            "It mostly is smaller, but larger on combs.",
             Whole {
                 quantity: "greatest ratio of monotonic to kinetic segments",
                 unit: "1",
-                run: |bench| greatest(bench, |[kinetic, monotonic, _]| monotonic / kinetic),
+                run: |bench| greatest(bench, 1.0, |[kinetic, monotonic, _]| monotonic / kinetic),
                 control: Control::Itself,
             },
         ),
@@ -110,45 +112,19 @@ fn members(bench: &Bench, (name, family): Family) -> Vec<(f64, [f64; 3])> {
     (0..doublings).filter(|_| !bench.stopped()).filter_map(member).collect()
 }
 
-fn growth(bench: &Bench, ratio: fn([f64; 3]) -> f64) -> Finding {
-    let (mut worst, mut note, mut series): (Option<Trend>, _, _) = (None, Vec::new(), Vec::new());
-    let (mut all_flat, mut cases) = (true, 0);
-    for family in FAMILIES {
-        let points: Vec<[f64; 2]> = members(bench, family).into_iter().map(|(n, sizes)| [n, ratio(sizes)]).collect();
-        cases += points.len();
-        let Some(trend) = Trend::of(points.iter().copied()) else { continue };
-        let last = points.last().map_or(f64::NAN, |point| point[1]);
-        note.push(format!("{}: n^[{:.2}, {:.2}], {last:.2} at last", family.0, trend.exponent[0], trend.exponent[1]));
-        series.push(Series::new(family.0, points).joined());
-        all_flat &= trend.no_growth() == Verdict::Confirmed;
-        if worst.is_none_or(|known| trend.exponent[0] > known.exponent[0]) {
-            worst = Some(trend);
-        }
-    }
-    let Some(worst) = worst else { return Finding::new(Verdict::Undecided, [f64::NAN; 2], cases) };
-    let verdict = match worst.no_growth() {
-        Verdict::Refuted => Verdict::Refuted,
-        _ if all_flat => Verdict::Confirmed,
-        _ => Verdict::Undecided,
-    };
-    Finding::new(verdict, worst.exponent, cases).against(0.0).saying(note.join("; ")).drawn(Plot::log_log(
-        "segments of both operands",
-        "ratio of sizes",
-        series,
-    ))
-}
-
-fn greatest(bench: &Bench, ratio: fn([f64; 3]) -> f64) -> Finding {
+/// Whether a ratio of sizes is at most this on all families.
+fn greatest(bench: &Bench, most: f64, ratio: fn([f64; 3]) -> f64) -> Finding {
     let (mut greatest, mut note, mut series, mut cases) = (0.0_f64, Vec::new(), Vec::new(), 0);
     for family in FAMILIES {
         let points: Vec<[f64; 2]> = members(bench, family).into_iter().map(|(n, sizes)| [n, ratio(sizes)]).collect();
         let own = points.iter().map(|point| point[1]).fold(0.0, f64::max);
         cases += points.len();
         greatest = greatest.max(own);
-        note.push(format!("{}: {own:.3}", family.0));
+        let steps: Vec<String> = points.iter().map(|point| format!("{:.2}", point[1])).collect();
+        note.push(format!("{}: {}", family.0, steps.join(" ")));
         series.push(Series::new(family.0, points).joined());
     }
-    let verdict = if greatest <= 1.0 { Verdict::Confirmed } else { Verdict::Refuted };
+    let verdict = if greatest <= most { Verdict::Confirmed } else { Verdict::Refuted };
     Finding::new(verdict, [greatest; 2], cases).against(1.0).saying(note.join("; ")).drawn(Plot::log_log(
         "segments of both operands",
         "ratio of sizes",

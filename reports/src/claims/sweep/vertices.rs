@@ -162,7 +162,9 @@ fn cyclic() -> [Claim; 2] {
         test: Test::Sup(Sup {
             draws: [2_000, 200_000],
             draw: draw_honest,
-            measure: |input| Counts::of(input).map(|c| ratio(c.cyclic, c.crossings)),
+            quantity: "k - 3N",
+            rule: Rule::AtMost(0.0),
+            measure: |input| Counts::of(input).map(|c| c.measured(c.cyclic - 3.0 * c.crossings)),
             kept: kept!("A4_bundles"),
             control: Control::Itself,
             ..sup
