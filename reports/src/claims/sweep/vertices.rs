@@ -176,7 +176,7 @@ fn cyclic() -> [Claim; 2] {
 /// The ratio for the convolutions of a pair, the greater one.
 fn cyclic_by_crossings(input: &Input, lie: Lie) -> Option<Measured> {
     let case = input.as_pair()?;
-    let ratios = convolutions(&case.a, &case.b).into_iter().filter(|pieces| is_small(pieces)).map(|pieces| {
+    let ratios = convolutions(&case.a, &case.b).into_iter().filter(is_small).map(|pieces| {
         let extent = extent(&pieces);
         let told = Told::new(&pieces, &Liar::new(lie, extent, 1000.0 * EPS * extent, 1));
         ratio(told.cyclic() as f64, told.crossings() as f64)
