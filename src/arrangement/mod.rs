@@ -69,7 +69,8 @@ pub fn arrange_by(pieces: &Pieces, robustness: Robustness) -> Arrangement {
 }
 
 /// Arranges pieces with any crossing module and these robustness steps.
-pub(crate) fn swept<M: CrossingModule>(pieces: &Pieces, module: &M, robustness: Robustness) -> Arrangement {
+#[must_use]
+pub fn swept<M: CrossingModule>(pieces: &Pieces, module: &M, robustness: Robustness) -> Arrangement {
     let (graph, trapezoids, audit) = Sweep::new(pieces, module, robustness).run();
     Arrangement { graph, trapezoids, audit }
 }

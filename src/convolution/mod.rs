@@ -4,7 +4,7 @@ mod buckets;
 mod cancelled;
 mod convex;
 mod crust;
-mod envelope;
+pub mod envelope;
 pub mod fill;
 mod kinetic;
 mod monotonic;
