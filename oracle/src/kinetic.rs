@@ -67,7 +67,11 @@ impl<Q: Number> Kinetic<Q> {
             let segment = if left { [from, to] } else { [to, from] };
             let [tail, head] = segment.each_ref().map(|p| self.curves.place(p.clone()));
             self.curves.segment(tail, head, 0);
-            if left { self.forward.push(segment) } else { self.backward.push(segment) }
+            if left {
+                self.forward.push(segment)
+            } else {
+                self.backward.push(segment)
+            }
             Ok(())
         })
     }
@@ -92,7 +96,8 @@ impl<Q: Number> Kinetic<Q> {
         let mut edges = Vec::new();
         let mut places: Vec<Place<Q>> = Vec::new();
         for segment in self.curves.segments() {
-            let (tail, head) = if segment.weight > 0 { (segment.tail, segment.head) } else { (segment.head, segment.tail) };
+            let (tail, head) =
+                if segment.weight > 0 { (segment.tail, segment.head) } else { (segment.head, segment.tail) };
             for _ in 0..segment.weight.abs() {
                 edges.push((places.len(), places.len() + 1));
                 places.extend([self.curves.at(tail).clone(), self.curves.at(head).clone()]);
@@ -156,7 +161,8 @@ mod tests {
     fn a_covered_hole_counts_unless_it_is_filled() {
         let mut hole = square(1.0);
         hole.reverse();
-        let (ring, plate, pin) = (region(vec![square(3.0), hole]), region(vec![square(2.0)]), region(vec![square(0.5)]));
+        let (ring, plate, pin) =
+            (region(vec![square(3.0), hole]), region(vec![square(2.0)]), region(vec![square(0.5)]));
         assert_eq!(winding(&ring, &plate, Holes::All, Ties::FIRST_A), Some(0));
         assert_eq!(winding(&ring, &plate, Holes::Fitting, Ties::FIRST_A), Some(1));
         assert_eq!(winding(&ring, &pin, Holes::Fitting, Ties::FIRST_A), Some(0));
