@@ -1,6 +1,9 @@
-//! Winding numbers of points in the engine's pieces, counted along a ray instead of by an arrangement.
+//! Winding numbers of points in the engine's pieces, counted along a ray instead of by an arrangement, and wrong angles to
+//! convolve with.
 
+use arcsum::angle::Ang;
 use arcsum::piece::{Piece, Pieces};
+use arcsum::smooth::{Kind, Seg};
 use glam::DVec2;
 
 /// The winding number of a point; none if a piece is near it.
@@ -37,4 +40,15 @@ fn ordinate(pieces: &Pieces, piece: &Piece, x: f64) -> f64 {
     let height = (radius * radius - (x - centre.x).powi(2)).max(0.0).sqrt();
     // A monotone arc is on the side of its centre where its chord is.
     if middle.y > centre.y { centre.y + height } else { centre.y - height }
+}
+
+/// Moves every angle by one of 97 numbers, in radians: equal angles alike, so that loops stay smooth.
+pub fn disturb(segs: &mut [Seg], noise: &[f64]) {
+    let moved = |angle: Ang| angle.plus(noise[(angle.offset().to_bits() % 97) as usize]);
+    for seg in segs {
+        (seg.a, seg.b) = (moved(seg.a), moved(seg.b));
+        if seg.kind != Kind::Line {
+            seg.delta = 0.5 * seg.a.turn_to(seg.b);
+        }
+    }
 }

@@ -1,7 +1,10 @@
 //! Claims about sum segments and winding numbers (MS 2, 3; M1, M3 to M7, M17b).
 
+mod carriers;
+mod compatible;
 mod components;
 mod draw;
+mod negative;
 mod orientation;
 mod pieces;
 mod probes;
@@ -17,5 +20,8 @@ pub fn claims() -> Vec<Claim> {
     claims.extend(selection::claims());
     claims.extend(orientation::claims());
     claims.extend(ties::claims());
+    claims.extend(carriers::claims());
+    claims.extend(negative::claims());
+    claims.extend(compatible::claims());
     claims
 }
