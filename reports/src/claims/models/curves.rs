@@ -72,7 +72,11 @@ mod tests {
                 let [[before, _], [here, slope], [after, _]] = [t - h, t, t + h].map(curve.at);
                 assert!(((after - before) / (2.0 * h) - slope).length() < 1e-4, "{} {t}", curve.name);
                 assert!(slope.length() <= curve.speed + 1e-9, "{} {t}", curve.name);
-                assert!(((after - here) - (here - before)).length() / (h * h) <= curve.bend + 1e-3, "{} {t}", curve.name);
+                assert!(
+                    ((after - here) - (here - before)).length() / (h * h) <= curve.bend + 1e-3,
+                    "{} {t}",
+                    curve.name
+                );
             }
         }
     }

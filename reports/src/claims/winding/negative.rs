@@ -26,7 +26,7 @@ use libm::scalbn;
 
 /// By how much angles are off: by rounding, allowing 8 eps as memo M14 does, and by noise.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
-const NOISE: i32 = -30;
+const NOISE: i32 = -10;
 
 pub(super) fn claims() -> [Claim; 1] {
     let sup = Sup {
