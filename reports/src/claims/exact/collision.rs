@@ -26,7 +26,7 @@ pub(super) fn claims() -> [Claim; 1] {
         quantity: "placements t at which P meets t-Q and t is not in the sum, or the other way round",
         unit: "1",
         rule: Rule::AtMost(0.0),
-        draws: [150, 10_000],
+        draws: [300, 20_000],
         draw: draw::pair,
         measure: |input| wrong(input, |state| state != State::Free),
         kept: kept!("F16"),

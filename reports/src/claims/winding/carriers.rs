@@ -36,7 +36,7 @@ pub(super) fn claims() -> [Claim; 1] {
         quantity: "distance of an edge of the engine's sum from the nearest exact line or circle of a sum segment",
         unit: "eps",
         rule: Rule::AtMost(8.0),
-        draws: [150, 8_000],
+        draws: [600, 40_000],
         draw: drawn,
         measure: |input| farthest(input, 0.0),
         kept: kept!("M1"),

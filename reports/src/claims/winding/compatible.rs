@@ -30,7 +30,7 @@ pub(super) fn claims() -> [Claim; 1] {
                    not certainly inside the sum (arcs)",
         unit: "1",
         rule: Rule::AtMost(0.0),
-        draws: [300, 20_000],
+        draws: [600, 40_000],
         draw: drawn,
         measure: |input| of_polygons(input, true).or_else(|| of_arcs(input, true)),
         kept: kept!("M17b"),

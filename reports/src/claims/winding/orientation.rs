@@ -20,7 +20,7 @@ pub(super) fn claims() -> [Claim; 2] {
         quantity: "winding number of t less the certified Euler characteristic of A and t-B together",
         unit: "1",
         rule: Rule::AtMost(0.0),
-        draws: [150, 10_000],
+        draws: [1500, 100_000],
         draw: draw::arcs,
         measure: |input| off(input, bent_as_printed),
         kept: kept!("M5_printed"),

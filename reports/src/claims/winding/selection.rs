@@ -21,7 +21,7 @@ pub(super) fn claims() -> [Claim; 1] {
         quantity: "area between the cells of positive winding number and the sum by decomposition and union",
         unit: "square of the input unit",
         rule: Rule::AtMost(0.0),
-        draws: [300, 20_000],
+        draws: [900, 60_000],
         draw: draw::any,
         measure: |input| off(input, Holes::Fitting),
         kept: kept!("M4"),

@@ -20,7 +20,7 @@ pub(super) fn claims() -> [Claim; 1] {
         quantity: "winding number of t less the Euler characteristic of A and t-B together",
         unit: "1",
         rule: Rule::AtMost(0.0),
-        draws: [140, 10_000],
+        draws: [1400, 100_000],
         draw: draw::parallel,
         measure: |input| exact(input, Ties::FIRST_A).or_else(|| certified(input)),
         kept: kept!("M6"),
