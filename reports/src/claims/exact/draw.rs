@@ -1,16 +1,12 @@
 //! Pairs of polygons that are hard on exact algorithms: small integers, collinear and coincident edges, tiny scales,
 //! structured families.
 
-use super::super::draw::{input, polygons};
+use super::super::draw::{cells, input, integers, polygons};
 use super::super::input::Input;
-use crate::cases::orthogonal::{Corners, Style, cells};
 use crate::cases::passage::{Fit, passage};
 use crate::cases::place::scaled;
-use crate::cases::radial::noise;
 use crate::cases::rng::Rng;
-use crate::cases::shape::polygon;
 use crate::cases::{combs, fork, many, twoopt};
-use arcsum::region::Region;
 use arcsum::validate::validate;
 use libm::scalbn;
 
@@ -18,9 +14,9 @@ use libm::scalbn;
 pub(super) fn pair(rng: &mut Rng, number: usize) -> Input {
     loop {
         let (kind, a, b) = match number % 8 {
-            0 => ("cells", cells(style(4, rng), rng), cells(style(3, rng), rng)),
+            0 => ("cells", cells(4, true, rng), cells(3, true, rng)),
             1 => {
-                let a = cells(style(3, rng), rng);
+                let a = cells(3, true, rng);
                 ("copies", a.clone(), if rng.below(2) == 0 { a } else { a.negated() })
             }
             2 => ("integers", integers(rng), integers(rng)),
@@ -48,18 +44,4 @@ pub(super) fn pair(rng: &mut Rng, number: usize) -> Input {
             return input(kind, a, b);
         }
     }
-}
-
-fn integers(rng: &mut Rng) -> Region {
-    let size = 2.0 + rng.below(4) as f64;
-    let mut points: Vec<[f64; 2]> =
-        noise(3 + rng.below(7) as u32, rng).iter().map(|p| p.map(|c| (size * c).round())).collect();
-    points.dedup();
-    polygon(&points)
-}
-
-fn style(side: i32, rng: &mut Rng) -> Style {
-    let cells = 2 + rng.below((side * side - 2) as usize);
-    let corners = if rng.below(3) == 0 { Corners::Chamfered } else { Corners::Sharp };
-    Style { side, cells, holes: true, collinear: rng.below(2) == 0, corners }
 }

@@ -22,7 +22,7 @@ pub(super) fn claims() -> [Claim; 2] {
         quantity: "winding number of t less the number of components of A and t-B together",
         unit: "1",
         rule: Rule::AtMost(0.0),
-        draws: [1200, 100_000],
+        draws: [800, 60_000],
         draw: draw::any,
         measure: |input| off(input, Ties::FIRST_A, |[components, _]| components),
         kept: kept!("M3_printed"),

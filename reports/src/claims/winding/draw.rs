@@ -1,9 +1,8 @@
 //! Pairs to count winding numbers on: holes that the partner covers or fits into, containers, parallel edges, arcs of
 //! radii that nearly cancel.
 
-use super::super::draw::{input, polygons};
+use super::super::draw::{cells, input, integers, polygons, rounded_cells};
 use super::super::input::Input;
-use crate::cases::orthogonal::{Corners, Style, cells};
 use crate::cases::parts::{gear, rounded};
 use crate::cases::place::{moved, quarter_turned, scaled, turned};
 use crate::cases::radial::{Bending, bulging, noise};
@@ -22,7 +21,7 @@ pub(super) fn single(rng: &mut Rng, number: usize) -> Input {
             2 => {
                 ("noise", polygon(&noise(3 + rng.below(8) as u32, rng)), polygon(&noise(3 + rng.below(5) as u32, rng)))
             }
-            3 => ("cells", cells(style(3, false, rng), rng), cells(style(2, false, rng), rng)),
+            3 => ("cells", cells(3, false, rng), cells(2, false, rng)),
             4 => {
                 let (a, b) = if rng.below(2) == 0 { combs::combs(2 + rng.below(2) as u32) } else { fork::fork(1) };
                 ("teeth", a, b)
@@ -47,9 +46,9 @@ pub(super) fn holed(rng: &mut Rng, number: usize) -> Input {
                 let (a, b) = passage::container(slack, rng);
                 ("container", a, b)
             }
-            2 => ("cells", cells(style(5, true, rng), rng), cells(style(4, true, rng), rng)),
+            2 => ("cells", cells(5, true, rng), cells(4, true, rng)),
             3 => ("rings", ring(rng), moved(&ring(rng), [0.1, 0.2])),
-            _ => ("complement", cells(style(4, true, rng), rng).complement(), cells(style(3, true, rng), rng)),
+            _ => ("complement", cells(4, true, rng).complement(), cells(3, true, rng)),
         };
         if is_valid(&a) && is_valid(&b) {
             return input(kind, a, b);
@@ -67,12 +66,12 @@ pub(super) fn parallel(rng: &mut Rng, number: usize) -> Input {
     loop {
         let (kind, a) = match number % 7 {
             0 => ("regular", polygon(&regular(3 + rng.below(10) as u32, 1.0, rng.between(0.0, 1.0)))),
-            1 => ("cells", cells(style(3, false, rng), rng)),
+            1 => ("cells", cells(3, false, rng)),
             2 => ("integers", integers(rng)),
             3 => ("teeth", combs::combs(2).0),
             4 => ("rectangle", rounded_rectangle(rng)),
             5 => ("gear", region(vec![gear(3 + rng.below(3) as u32)])),
-            _ => ("rounded", cells(Style { corners: Corners::Rounded, ..style(3, false, rng) }, rng)),
+            _ => ("rounded", rounded_cells(3, rng)),
         };
         let b = match rng.below(5) {
             0 => a.clone(),
@@ -140,20 +139,6 @@ fn ring(rng: &mut Rng) -> Region {
     let (outer, inner) = (regular(3 + rng.below(6) as u32, 1.0, rng.between(0.0, 1.0)), rng.between(0.1, 0.45));
     let hole = regular(3 + rng.below(6) as u32, inner, rng.between(0.0, 1.0));
     region(vec![lines(&outer), backwards(&hole)])
-}
-
-fn integers(rng: &mut Rng) -> Region {
-    let size = 2.0 + rng.below(4) as f64;
-    let mut points: Vec<Point> =
-        noise(3 + rng.below(7) as u32, rng).iter().map(|p| p.map(|c| (size * c).round())).collect();
-    points.dedup();
-    polygon(&points)
-}
-
-fn style(side: i32, holes: bool, rng: &mut Rng) -> Style {
-    let corners = if rng.below(3) == 0 { Corners::Chamfered } else { Corners::Sharp };
-    let cells = 2 + rng.below((side * side - 2) as usize);
-    Style { side, cells, holes, collinear: rng.below(4) == 0, corners }
 }
 
 fn is_valid(region: &Region) -> bool {

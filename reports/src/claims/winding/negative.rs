@@ -58,23 +58,36 @@ pub(super) fn claims() -> [Claim; 1] {
 }
 
 fn drawn(rng: &mut Rng, number: usize) -> Input {
-    match number % 4 {
-        0 => draw::arcs(rng, number / 4),
-        1 => draw::parallel(rng, number / 4),
-        2 => loop {
-            let (a, b) = (spiked(rng), spiked(rng));
+    match number % 8 {
+        0 => draw::arcs(rng, number / 8),
+        1 => draw::parallel(rng, number / 8),
+        2..=5 => loop {
+            let a = slotted(rng);
+            let b = match rng.below(4) {
+                0 => a.clone(),
+                1 => a.negated(),
+                2 => turned(&a.negated(), scalbn(rng.between(-1.0, 1.0), -(rng.below(52) as i32))),
+                _ => slotted(rng),
+            };
             if validate(&a).is_ok() && validate(&b).is_ok() {
-                return drawing::input("spikes", a, b);
+                return drawing::input("slots", a, b);
             }
         },
         _ => drawing::pair(rng, number),
     }
 }
 
-/// A block with a spike of a few eps: what rounding turns inside out.
-fn spiked(rng: &mut Rng) -> Region {
-    let (width, rise) = (rng.between(1.0, 16.0) * f64::EPSILON, rng.between(-0.2, 0.2));
-    let corners = [[0.0, 0.0], [0.4, 0.0], [0.4, 0.2], [1.0, 0.2 + rise], [0.4, 0.2 + width], [0.4, 0.6], [0.0, 0.6]];
+/// A block with teeth and gaps of any width, down to a few eps: what rounding or noise turns inside out.
+fn slotted(rng: &mut Rng) -> Region {
+    let gap = scalbn(rng.between(0.5, 1.0), -([rng.below(16), 44 + rng.below(8)][rng.below(2)] as i32));
+    let mut corners = Vec::new();
+    let mut y = 0.0;
+    for _ in 0..2 + rng.below(2) {
+        let (reach, height) = (rng.between(0.5, 1.0), rng.between(0.02, 0.4));
+        corners.extend([[0.2, y], [reach, y + rng.between(0.0, 0.1) * height], [reach, y + height], [0.2, y + height]]);
+        y += height + gap;
+    }
+    corners.extend([[0.0, y], [0.0, 0.0]]);
     turned(&polygon(&corners), rng.angle())
 }
 

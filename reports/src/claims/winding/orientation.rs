@@ -127,7 +127,7 @@ mod tests {
                 met.extend(case_of(parents).map(|case| (case, round)));
             }
         }
-        let (lines, arcs): (Vec<_>, Vec<_>) = met.iter().partition(|(case, _)| *case <= Case::LineConcave);
-        assert_eq!((lines.len(), arcs.len()), (2, 8), "{met:?}");
+        let lines = met.iter().filter(|(case, _)| *case <= Case::LineConcave).count();
+        assert!(lines >= 2 && met.len() - lines == 8, "{met:?}");
     }
 }
