@@ -5,7 +5,7 @@ use glam::DVec2;
 
 /// Places of a span at which a distance is computed.
 const OF_CHORD: usize = 16;
-const OF_BIARC: usize = 256;
+const OF_BIARC: usize = 1024;
 /// How finely the longest span is sought.
 const STEPS: usize = 40;
 /// What the roundings of a distance of about 1 come to, with room.

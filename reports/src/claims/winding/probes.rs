@@ -12,8 +12,8 @@ pub(super) fn exact(input: &Input) -> Option<[ExactRegion<Rational>; 2]> {
     let case = input.as_pair().filter(|case| case.is_polygonal())?;
     let read = |region| ExactRegion::from_plain(&crate::bridge::plain(region)).ok();
     let (a, b) = (read(&case.a)?, read(&case.b)?);
-    let summable = ![&a, &b].iter().any(|region| region.is_empty()) && !(a.unbounded() && b.unbounded());
-    summable.then_some([a, b])
+    let is_known = a.is_empty() || b.is_empty() || (a.unbounded() && b.unbounded());
+    (!is_known).then_some([a, b])
 }
 
 /// So many points for a pair, always the same.
