@@ -16,6 +16,7 @@
 //!
 //! Of the other segments, what lies in the squares of a [`Cover`] has no boundary on it either and is not walked.
 
+use std::cmp::Ordering;
 use std::collections::HashMap;
 
 use crate::arrange::boundaries;
@@ -106,9 +107,8 @@ fn convolve<Q: Number>(
     b: &Ring<Q>,
     budget: Budget,
 ) -> Result<(), OracleError> {
-    let (turns_a, turns_b) = (turns(a), turns(b));
     let mut numbers: HashMap<(usize, usize), usize> = HashMap::new();
-    let mut add = |from: (usize, usize), to: (usize, usize), forward: bool| -> Result<(), OracleError> {
+    sum_segments(a, b, Ties::FIRST_A, |[from, to], forward| {
         let [from, to] = [from, to]
             .map(|(i, j)| *numbers.entry((i, j)).or_insert_with(|| curves.place(a[i].exact.plus(&b[j].exact))));
         let (tail, head) = if forward { (from, to) } else { (to, from) };
@@ -118,20 +118,47 @@ fn convolve<Q: Number>(
             curves.hidden_segment(tail, head, 0);
         }
         budget.check_segments(curves.len())
-    };
+    })
+}
+
+/// Which ends of a turn belong to it, `[lo, hi]`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Ties {
+    /// Of the turns of A, which the edges of B meet.
+    pub of_a: [bool; 2],
+    /// Of those of B.
+    pub of_b: [bool; 2],
+}
+
+impl Ties {
+    /// At equal directions a turn of A comes first: what closes the convolution (memo A7).
+    pub const FIRST_A: Self = Self { of_a: [true, false], of_b: [false, true] };
+    /// Both ends: an edge that has the direction of another one meets the turns at both ends of it (MS 3, Fig. 3a).
+    pub const BOTH: Self = Self { of_a: [true; 2], of_b: [true; 2] };
+}
+
+/// Calls `each` with the sum segments of two rings: the places in A and in B at its ends, in the order of the edge, and
+/// whether the boundary turns left there, so that the segment runs as the edge does.
+pub(crate) fn sum_segments<Q: Number>(
+    a: &Ring<Q>,
+    b: &Ring<Q>,
+    ties: Ties,
+    mut each: impl FnMut([(usize, usize); 2], bool) -> Result<(), OracleError>,
+) -> Result<(), OracleError> {
+    let (turns_a, turns_b) = (turns(a), turns(b));
     for i in 0..a.len() {
         let next = (i + 1) % a.len();
         for (j, turn) in turns_b.iter().enumerate() {
-            if turn.passes_after_start(&a[i], &a[next]) {
-                add((i, j), (next, j), turn.left)?;
+            if turn.passes(&a[i], &a[next], ties.of_b) {
+                each([(i, j), (next, j)], turn.left)?;
             }
         }
     }
     for j in 0..b.len() {
         let next = (j + 1) % b.len();
         for (i, turn) in turns_a.iter().enumerate() {
-            if turn.passes_before_end(&b[j], &b[next]) {
-                add((i, j), (i, next), turn.left)?;
+            if turn.passes(&b[j], &b[next], ties.of_a) {
+                each([(i, j), (i, next)], turn.left)?;
             }
         }
     }
@@ -159,13 +186,10 @@ fn turns<Q: Number>(ring: &Ring<Q>) -> Vec<Turn<'_, Q>> {
 }
 
 impl<Q: Number> Turn<'_, Q> {
-    /// Whether the direction from tail to head lies in (lo, hi].
-    fn passes_after_start(&self, tail: &Place<Q>, head: &Place<Q>) -> bool {
-        cross_sign(self.lo[0], self.lo[1], tail, head).is_gt() && cross_sign(tail, head, self.hi[0], self.hi[1]).is_ge()
-    }
-
-    /// Whether the direction from tail to head lies in [lo, hi).
-    fn passes_before_end(&self, tail: &Place<Q>, head: &Place<Q>) -> bool {
-        cross_sign(self.lo[0], self.lo[1], tail, head).is_ge() && cross_sign(tail, head, self.hi[0], self.hi[1]).is_gt()
+    /// Whether the direction from tail to head lies between lo and hi, of which those count that are closed.
+    fn passes(&self, tail: &Place<Q>, head: &Place<Q>, closed: [bool; 2]) -> bool {
+        let beyond = |turn: Ordering, closed: bool| turn.is_gt() || (closed && turn.is_eq());
+        beyond(cross_sign(self.lo[0], self.lo[1], tail, head), closed[0])
+            && beyond(cross_sign(tail, head, self.hi[0], self.hi[1]), closed[1])
     }
 }

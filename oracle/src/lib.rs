@@ -22,6 +22,7 @@ pub mod error;
 pub mod farthest;
 pub mod graph;
 pub mod interval;
+pub mod kinetic;
 pub mod lattice;
 pub mod locate;
 pub mod measure;

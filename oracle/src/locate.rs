@@ -26,7 +26,8 @@ pub struct Locator<Q> {
     edges: Vec<(usize, usize)>,
     extents: Vec<Extent>,
     boxes: Boxes,
-    unbounded: bool,
+    /// The winding number far away.
+    base: i32,
 }
 
 impl<Q: Number> Locator<Q> {
@@ -50,16 +51,24 @@ impl<Q: Number> Locator<Q> {
             edges.extend(ring_edges(&numbers).map(|(&a, &b)| (a, b)));
             places.extend(ring);
         }
+        Self::of_edges(places, edges, i32::from(unbounded))
+    }
+
+    /// Prepares closed curves, given by places, edges between them and the winding number far away.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn of_edges(places: Vec<Place<Q>>, edges: Vec<(usize, usize)>, base: i32) -> Result<Self, OracleError> {
         let extent = |&(a, b): &(usize, usize)| Extent::around([&places[a], &places[b]]);
         let extents: Vec<Extent> = edges.iter().filter_map(extent).collect();
         let boxes = Boxes::new(&extents)?;
-        Ok(Self { places, edges, extents, boxes, unbounded })
+        Ok(Self { places, edges, extents, boxes, base })
     }
 
     /// The winding number around a point, 1 inside and 0 outside; `None` on the boundary.
     #[must_use]
     pub fn winding(&self, point: &Place<Q>) -> Option<i32> {
-        let mut winding = Some(i32::from(self.unbounded));
+        let mut winding = Some(self.base);
         let ray = Extent { ends: [point.x.lo(), point.y.lo(), f64::INFINITY, point.y.hi()] };
         self.boxes.visit(&ray, |e| {
             let (from, to) = self.edge(e);

@@ -14,4 +14,5 @@ pub mod memory;
 pub mod page;
 pub mod row;
 pub mod run;
+pub mod winding;
 pub mod worker;

@@ -7,6 +7,7 @@ use arcsum::piece::{Pieces, Source};
 use arcsum::region::Region;
 use arcsum::smooth::{Kind, Seg, Smooth};
 use arcsum::sum3::Rounding;
+use arcsum_reports::winding::disturb;
 use arcsum_tests::cases;
 use arcsum_tests::fiber::{self, Shared};
 use arcsum_tests::shapes::{Lattice, any_region, simple};
@@ -97,16 +98,5 @@ proptest! {
         let mut expected: Vec<String> = walked.iter().map(|s| key(s, x, y, [edges(&a), edges(&b)])).collect();
         expected.sort_unstable();
         prop_assert_eq!(keys(&swept), expected);
-    }
-}
-
-/// Moves every angle by some noise, equal angles alike.
-fn disturb(segs: &mut [Seg], noise: &[f64]) {
-    let moved = |angle: Ang| angle.plus(noise[(angle.offset().to_bits() % 97) as usize]);
-    for seg in segs {
-        (seg.a, seg.b) = (moved(seg.a), moved(seg.b));
-        if seg.kind != Kind::Line {
-            seg.delta = 0.5 * seg.a.turn_to(seg.b);
-        }
     }
 }

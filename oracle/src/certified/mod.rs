@@ -9,6 +9,7 @@ pub mod bounds;
 pub mod carriers;
 pub mod cell;
 pub mod chain;
+pub mod characteristic;
 pub mod crossing;
 pub mod curve;
 pub mod depth;

@@ -3,7 +3,10 @@
 use super::input::Input;
 use crate::attack::pairs;
 use crate::cases::Case;
+use crate::cases::orthogonal::{self, Corners, Style};
+use crate::cases::radial::noise;
 use crate::cases::rng::Rng;
+use crate::cases::shape::{Point, polygon};
 use arcsum::region::Region;
 
 /// A pair under the name of its kind.
@@ -28,4 +31,29 @@ pub fn polygons(rng: &mut Rng, _: usize) -> Input {
             return input(kind, a, b);
         }
     }
+}
+
+/// A star-shaped polygon with corners in small integers; not always valid.
+pub fn integers(rng: &mut Rng) -> Region {
+    let size = 2.0 + rng.below(4) as f64;
+    let corners = noise(3 + rng.below(7) as u32, rng);
+    let mut points: Vec<Point> = corners.iter().map(|p| p.map(|c| (size * c).round())).collect();
+    points.dedup();
+    polygon(&points)
+}
+
+/// Unit cells on a grid of this side, holes among them if wanted.
+pub fn cells(side: i32, holes: bool, rng: &mut Rng) -> Region {
+    orthogonal::cells(style(side, holes, rng), rng)
+}
+
+/// The same with rounded corners.
+pub fn rounded_cells(side: i32, rng: &mut Rng) -> Region {
+    orthogonal::cells(Style { corners: Corners::Rounded, ..style(side, false, rng) }, rng)
+}
+
+fn style(side: i32, holes: bool, rng: &mut Rng) -> Style {
+    let cells = 2 + rng.below((side * side - 2) as usize);
+    let corners = if rng.below(3) == 0 { Corners::Chamfered } else { Corners::Sharp };
+    Style { side, cells, holes, collinear: rng.below(3) == 0, corners }
 }

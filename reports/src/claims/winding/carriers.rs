@@ -1,0 +1,123 @@
+//! M1: line and circle segments are closed under Minkowski sums (MS 1, 3; memo B1).
+
+use super::super::control::Control;
+use super::super::draw as drawing;
+use super::super::finding::Measured;
+use super::super::input::Input;
+use super::super::sup::{Rule, Sup};
+use super::super::{Claim, Test};
+use super::draw;
+use crate::bridge::{plain, unit};
+use crate::cases::place::moved;
+use crate::cases::radial::noise;
+use crate::cases::rng::Rng;
+use crate::cases::shape::polygon;
+use crate::kept;
+use arcsum::region::{Curve, Region};
+use arcsum::sum::{Convolution, Options, sum};
+use arcsum::validate::validate;
+use arcsum_oracle::certified::bounds;
+use arcsum_oracle::certified::piece::{Circle, Piece};
+use arcsum_oracle::certified::precision::Precision;
+use arcsum_oracle::certified::real::Real;
+use arcsum_oracle::certified::shape::Shape;
+use arcsum_oracle::certified::stretch::along;
+use arcsum_oracle::certified::sums::sums;
+use arcsum_oracle::certified::vector::Vector;
+use libm::scalbn;
+
+/// The precision of the distances: far finer than they are.
+const FINE: Precision = Precision::LADDER[2];
+/// Sum segments farther from an edge than this, in the unit box, are not what it is part of.
+const NEAR: f64 = 1e-9;
+
+pub(super) fn claims() -> [Claim; 1] {
+    let sup = Sup {
+        quantity: "distance of an edge of the engine's sum from the nearest exact line or circle of a sum segment",
+        unit: "eps",
+        rule: Rule::AtMost(8.0),
+        draws: [600, 40_000],
+        draw: drawn,
+        measure: |input| farthest(input, 0.0),
+        kept: kept!("M1"),
+        control: Control::Measure {
+            plants: "the exact sum segments are those of B moved by 2^-48 of the unit box",
+            measure: |input| farthest(input, scalbn(1.0, -48)),
+        },
+    };
+    [Claim {
+        id: "M1",
+        place: "MS 1",
+        says: "Line and circle segments are closed under Minkowski sums: every edge of a sum is part of a line or circle \
+               segment, moved by a vertex or with the centres and radii added.",
+        erratum: "",
+        test: Test::Sup(sup),
+    }]
+}
+
+/// Arcs of any kind, of radii that cancel, and of huge ones.
+fn drawn(rng: &mut Rng, number: usize) -> Input {
+    match number % 4 {
+        0 => draw::arcs(rng, number / 4),
+        1 => drawing::pair(rng, number),
+        2 => draw::parallel(rng, number / 4),
+        _ => loop {
+            let (a, b) = (nearly_straight(rng), nearly_straight(rng));
+            if validate(&a).is_ok() && validate(&b).is_ok() {
+                return drawing::input("nearly straight", a, b);
+            }
+        },
+    }
+}
+
+fn nearly_straight(rng: &mut Rng) -> Region {
+    let mut region = polygon(&noise(3 + rng.below(5) as u32, rng));
+    for node in region.loops.iter_mut().flatten() {
+        node.curve = Curve::Bulge(scalbn(rng.between(-1.0, 1.0), -(4 + rng.below(46) as i32)));
+    }
+    region
+}
+
+/// The greatest distance over all edges of the sums by both convolutions, where the exact sum segments are of B moved in x by
+/// a part of the unit box.
+fn farthest(input: &Input, shift: f64) -> Option<Measured> {
+    let case = input.as_pair()?;
+    let unit = unit(&case.a, &case.b);
+    let b = moved(&case.b, [shift * unit, 0.0]);
+    let shape = |region: &Region| Shape::new(&plain(region)).ok();
+    let carriers: Vec<Piece> = sums(&shape(&case.a)?, &shape(&b)?).iter().map(|s| s.curve.at(FINE).clone()).collect();
+    let mut worst = Measured::exactly(0.0);
+    for convolution in [Convolution::Kinetic, Convolution::Monotonic] {
+        let result = sum(&case.a, &case.b, &Options { convolution, ..Options::default() }).ok()?.region;
+        let result = shape(&result)?;
+        for side in result.sides() {
+            let edge = side.curve.at(FINE);
+            let [lo, hi] = distance(edge, &carriers, NEAR * unit).map(|d| d / (unit * 0.5 * f64::EPSILON));
+            if (lo, hi) > (worst.lo, worst.hi) {
+                worst = Measured::between(lo, hi).at(edge.from.nearest().into());
+            }
+        }
+    }
+    Some(worst)
+}
+
+/// A bracket of the distance of an edge's ends and middle from the line or circle of the best sum segment.
+fn distance(edge: &Piece, carriers: &[Piece], near: f64) -> [f64; 2] {
+    let middle = along(edge, &Real::from(0.5));
+    let points = [&edge.from, &middle, &edge.to];
+    let box_of_edge = edge.bounds();
+    let candidates = carriers.iter().filter(|carrier| bounds::distance(&box_of_edge, &carrier.bounds()) <= near);
+    let each = candidates.map(|carrier| {
+        let distances = points.map(|point| off(point, carrier));
+        [Real::lo, Real::hi].map(|end| distances.iter().map(end).fold(0.0, f64::max))
+    });
+    each.reduce(|best, one| [best[0].min(one[0]), best[1].min(one[1])]).unwrap_or([near, f64::INFINITY])
+}
+
+/// The distance of a point from the line or circle of a piece.
+fn off(point: &Vector, carrier: &Piece) -> Real {
+    match &carrier.circle {
+        Some(Circle { centre, radius, .. }) => (point.distance(centre) - radius).abs(),
+        None => (carrier.chord().cross(&(point - &carrier.from)) / carrier.chord().length()).abs(),
+    }
+}
