@@ -110,6 +110,13 @@ impl Curve {
         Self { first, start, ..*self }
     }
 
+    /// The same curve as another piece.
+    #[must_use]
+    pub fn named(mut self, piece: u32) -> Self {
+        self.piece = piece;
+        self
+    }
+
     /// The curve moved. Its ends are rounded; its sweep and length are taken to stay the same.
     #[must_use]
     pub fn moved(&self, by: DVec2) -> Self {

@@ -11,7 +11,9 @@ impl<M: CrossingModule> Sweep<'_, M> {
         for &curve in ending {
             if self.curves[curve as usize].last != vertex {
                 let rest = self.curves[curve as usize].from_vertex(vertex, self.now);
+                let pieces = self.pieces_of(curve);
                 starting.push(self.add_curve(rest));
+                self.stand_for(starting[starting.len() - 1], pieces);
                 self.vertices.register_end(starting[starting.len() - 1], &rest);
                 self.audit.cut += 1;
             }
@@ -60,13 +62,15 @@ impl<M: CrossingModule> Sweep<'_, M> {
         let mut weight = chain.iter().fold([0; 2], |sum, c| add(sum, self.curves[*c as usize].weight));
         let (mut vertex, mut start) = (self.curves[bundle[0] as usize].first, self.now);
         let mut first = None;
-        for curve in chain {
+        let pieces: Vec<Vec<u32>> = chain.iter().map(|curve| self.pieces_of(*curve)).collect();
+        for (index, curve) in chain.into_iter().enumerate() {
             let Curve { last, end, weight: own, .. } = self.curves[curve as usize];
             self.audit.merged += 1;
             if last != vertex && weight != [0; 2] {
                 let mut piece = self.curves[curve as usize].from_vertex(vertex, start);
                 piece.weight = weight;
                 self.curves[curve as usize] = piece;
+                self.stand_for(curve, pieces[index..].concat());
                 if start == self.now {
                     first = Some(curve);
                 } else {

@@ -13,6 +13,7 @@ mod apart;
 mod bundle;
 mod event;
 mod gap;
+mod guise;
 mod strangers;
 mod swap;
 mod trust;
@@ -31,6 +32,7 @@ use crate::piece::Pieces;
 use crate::robustness::Robustness;
 use event::Event;
 use glam::DVec2;
+use guise::Guises;
 use rustc_hash::FxHashSet as HashSet;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -54,6 +56,8 @@ pub(super) struct Sweep<'m, M> {
     edge_of: Vec<u32>,
     /// The curve of each piece that is, or was last, on its way.
     curve_of: Vec<u32>,
+    /// What merged curves stand for.
+    guises: Guises,
     /// Face above each place.
     gap: Vec<u32>,
     /// Where the trapezoid above each place began.
@@ -87,6 +91,7 @@ impl<'m, M: CrossingModule> Sweep<'m, M> {
             robustness,
             edge_of: vec![u32::MAX; curves.len()],
             curve_of,
+            guises: Guises::default(),
             is_ending: vec![false; curves.len()],
             work: Vec::new(),
             block: Block::default(),

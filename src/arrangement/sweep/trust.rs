@@ -17,13 +17,13 @@ const TRUST: f64 = 256.0 / 4.0;
 impl<M: CrossingModule> Sweep<'_, M> {
     /// Whether all that may be known about two curves is that the first is below the second, or else above.
     pub(super) fn agrees(&self, below: bool, f: u32, g: u32) -> bool {
-        self.module.agrees(below, &self.curves[f as usize], &self.curves[g as usize])
+        self.all_agree(below, f, g)
     }
 
     /// What is known about the order of two active curves just after the current event, whether geometry bears it out or not.
     /// Where one of them is about to end it is what is known up to there.
     pub(super) fn known(&self, f: u32, g: u32) -> Known {
-        let known = self.module.known(&self.curves[f as usize], &self.curves[g as usize], self.abscissa(f, g));
+        let known = self.all_known(f, g, self.abscissa(f, g));
         Known { until: if known.until > self.now.x { known.until } else { f64::INFINITY }, ..known }
     }
 
@@ -42,7 +42,7 @@ impl<M: CrossingModule> Sweep<'_, M> {
 
     /// What is known about where to put a curve that begins, relative to another.
     pub(super) fn placed(&self, f: u32, g: u32) -> Option<bool> {
-        let below = self.module.placed(&self.curves[f as usize], &self.curves[g as usize], self.now.x)?;
+        let below = self.any_placed(f, g)?;
         self.is_borne_out(below, f, g).then_some(below)
     }
 
@@ -51,8 +51,7 @@ impl<M: CrossingModule> Sweep<'_, M> {
         if self.agrees(!above, f, g) {
             return false;
         }
-        let placed = self.module.placed(&self.curves[f as usize], &self.curves[g as usize], self.now.x);
-        placed == Some(above) && self.is_borne_out(above, f, g)
+        self.any_placed(f, g) == Some(above) && self.is_borne_out(above, f, g)
     }
 
     /// Whether one curve is below another, or not above it by more than roundings, from here to where the first of them ends.

@@ -129,8 +129,15 @@ impl<M: CrossingModule> Sweep<'_, M> {
     /// The places of the active curves about whose order with one that starts here something may be known.
     pub(super) fn active_related(&self, new: u32, found: &mut Vec<Place>) {
         found.clear();
-        self.module.related(self.curves[new as usize].piece, self.now.x, found);
-        found.iter_mut().for_each(|piece| *piece = self.status.place(self.curve_of[*piece as usize]));
+        self.related_pieces(new, found);
+        // As there are those that other pieces were merged into, a piece may have several curves, of which one is active.
+        if self.guises.is_empty() {
+            found.iter_mut().for_each(|piece| *piece = self.status.place(self.curve_of[*piece as usize]));
+        } else {
+            let curves: Vec<u32> = found.iter().flat_map(|piece| self.curves_of(*piece)).collect();
+            found.clear();
+            found.extend(curves.into_iter().map(|curve| self.status.place(curve)));
+        }
         found.retain(|place| *place != NOWHERE);
     }
 
