@@ -104,10 +104,10 @@ mod tests {
     use super::*;
     use crate::plain::{Bend, Corner};
 
-    /// A square with a notch from the right: two convex turning points on the left walls' sides, one concave in the notch.
+    /// A block with a notch from the right: the turning point in the notch is concave.
     #[test]
     fn a_notch_has_a_concave_turning_point() {
-        let corners = [(0.0, 0.0), (4.0, 1.0), (1.0, 2.0), (4.0, 3.0)];
+        let corners = [(0.0, 0.0), (4.0, 1.0), (1.0, 2.0), (4.0, 3.0), (0.0, 4.0)];
         let corner = |(x, y)| Corner { x, y, bend: Bend::Line };
         let region = PlainRegion { loops: vec![corners.map(corner).to_vec()], unbounded: false };
         let all = turnings(&region);

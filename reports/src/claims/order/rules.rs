@@ -102,7 +102,7 @@ fn ordered(chains: &[Chain]) -> Vec<Below<'_>> {
     found
 }
 
-/// Rule 1 at the vertices of the other region: V+p <= W+p.
+/// Rule 1 at a vertex of the other region: V+p <= W+p.
 fn first(pairs: &[Below], by: &[Chain]) -> Vec<[Rational; 2]> {
     let mut found = Vec::new();
     for [v, w] in pairs {
