@@ -125,7 +125,7 @@ fn greatest(bench: &Bench, most: f64, ratio: fn([f64; 3]) -> f64) -> Finding {
         series.push(Series::new(family.0, points).joined());
     }
     let verdict = if greatest <= most { Verdict::Confirmed } else { Verdict::Refuted };
-    Finding::new(verdict, [greatest; 2], cases).against(1.0).saying(note.join("; ")).drawn(Plot::log_log(
+    Finding::new(verdict, [greatest; 2], cases).against(most).saying(note.join("; ")).drawn(Plot::log_log(
         "segments of both operands",
         "ratio of sizes",
         series,

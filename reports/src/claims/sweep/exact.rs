@@ -39,7 +39,7 @@ pub(super) fn claim() -> Claim {
         id: "M49",
         place: "MS 1",
         says: "Exact arrangement is an order of magnitude slower, here: at least ten times.",
-        erratum: "The print compares 100 curves of degree 6; lines and circle segments are far easier for exact arithmetic.",
+        erratum: "The print compares 100 curves of degree 6; here they are lines and circle segments.",
         test: Test::Whole(whole),
     }
 }

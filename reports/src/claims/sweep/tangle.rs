@@ -7,6 +7,7 @@ use super::liar::{Liar, Lie};
 use crate::cases::rng::Rng;
 use arcsum::angle::Ang;
 use arcsum::arrangement::cross::EPS;
+use arcsum::arrangement::curve::compare;
 use arcsum::piece::{Piece, Pieces, Source};
 use glam::DVec2;
 use libm::{pow, sin};
@@ -61,6 +62,15 @@ impl Tangle {
             pieces.pieces.push(Piece { a: chord.plus(-delta), b: chord.plus(delta), delta, r, ..line });
         }
         pieces
+    }
+
+    /// Whether two ends of curves coincide.
+    pub(super) fn shares_ends(&self) -> bool {
+        let mut ends: Vec<DVec2> = self.pieces().points;
+        let all = ends.len();
+        ends.sort_by(|p, q| compare(*p, *q));
+        ends.dedup();
+        ends.len() < all
     }
 
     /// The module that is asked.
