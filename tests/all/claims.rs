@@ -1,11 +1,15 @@
 //! The claims' worst inputs, measured again: the constant may fall, and a rise fails. What refutes a claim goes on refuting it, or
 //! the claim has got better, and its file must be brought up to date.
 
+use arcsum_reports::claims::bench::{Bench, Effort};
 use arcsum_reports::claims::finding::{Verdict, Worst};
 use arcsum_reports::claims::kept;
+use arcsum_reports::claims::record::Record;
 use arcsum_reports::claims::registry::claims;
 use arcsum_reports::claims::sup::{Rule, Sup};
 use arcsum_reports::claims::{Claim, Test};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// A kept number may move by this part of itself: it is written with all digits, but references may get tighter.
 const SLACK: f64 = 1e-9;
@@ -82,4 +86,40 @@ fn kept_inputs_of_refuted_claims_refute() {
         let now = (sup.measure)(&first.input).expect("an input of the claim");
         assert!(now.lo > bound, "{}: {} is not above {bound}", claim.id, now.lo);
     }
+}
+
+/// Claims about times: their verdicts depend on the machine.
+const TIMED: [&str; 4] = ["M49", "M50 printed", "M50 corrected", "A4 time"];
+
+/// All experiments at quick effort come to the committed verdicts, and all controls are refuted.
+#[test]
+fn verdicts_are_as_published() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../reports/published/claims/claims.csv");
+    let published = std::fs::read_to_string(file).expect("the published table");
+    let verdict = |id: &str| {
+        let line = published.lines().find(|line| line.starts_with(&format!("{id},")));
+        line.and_then(|line| line.split(',').nth(1)).unwrap_or("not published").to_owned()
+    };
+    let bench = Bench { effort: Effort::Quick, seed: 1, stop: &AtomicBool::new(false) };
+    let (claims, next, wrong) = (claims(), AtomicUsize::new(0), Mutex::new(Vec::new()));
+    std::thread::scope(|scope| {
+        for _ in 0..2 {
+            scope.spawn(|| {
+                while let Some(claim) = claims.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    if TIMED.contains(&claim.id) {
+                        continue;
+                    }
+                    let record = Record::of(claim, &bench);
+                    let (now, then) = (record.finding.verdict.word(), verdict(claim.id));
+                    let passed = record.control.is_some_and(|control| control.verdict != Verdict::Refuted);
+                    if now != then || passed {
+                        let text = format!("{}: {now}, was {then}; control passed: {passed}", claim.id);
+                        wrong.lock().expect("no panic").push(text);
+                    }
+                }
+            });
+        }
+    });
+    let wrong = wrong.into_inner().expect("no panic");
+    assert!(wrong.is_empty(), "{wrong:#?}");
 }

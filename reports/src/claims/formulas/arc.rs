@@ -90,8 +90,11 @@ pub fn by_bulge(rng: &mut Rng) -> Vec<f64> {
 
 fn sweep_of_radius(input: &[f64]) -> Option<f64> {
     let (tail, head) = ends(input);
+    in_unit_box(input).then_some(())?;
     let delta = half_sweep_of_radius(tail, head, input[4]).ok()?;
-    Some(relative(delta, &Circular::with_radius(tail.into(), head.into(), input[4])?.delta))
+    // Numbers that underflow have no relative error to speak of.
+    let exact = Circular::with_radius(tail.into(), head.into(), input[4])?.delta;
+    (delta.abs() > f64::MIN_POSITIVE).then(|| relative(delta, &exact))
 }
 
 /// Near half circles, as an absolute error in eps.
@@ -134,7 +137,8 @@ pub fn pick(arc: &Arc, fraction: f64) -> (Ang, Float) {
 
 /// Errors in eps of the unit box are about ends inside it.
 fn in_unit_box(input: &[f64]) -> bool {
-    input[..4].iter().all(|c| c.abs() <= 1.0)
+    let (tail, head) = ends(input);
+    input[..4].iter().all(|c| c.abs() <= 1.0) && (head - tail).abs().max_element() <= 1.0
 }
 
 fn monotone_arc(input: &[f64]) -> Option<Arc> {

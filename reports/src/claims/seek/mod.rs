@@ -149,7 +149,8 @@ impl Hunt<'_> {
     fn offer(&self, found: Worst, each: &(impl Fn(&Worst) + Sync)) {
         let mut worst = self.worst.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         let place = worst.partition_point(|known| !is_worse((found.lo, found.hi), (known.lo, known.hi)));
-        if place < KEPT && worst.iter().all(|known| known.input != found.input) {
+        // Of inputs that come to the same one is enough.
+        if place < KEPT && worst.iter().all(|known| (known.lo, known.hi) != (found.lo, found.hi)) {
             worst.insert(place, found);
             worst.truncate(KEPT);
             if place == 0 {
