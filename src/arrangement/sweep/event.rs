@@ -17,6 +17,9 @@ pub(super) struct Event {
     upper: u32,
     /// Whether they may have to stay as they are: the module is asked again when the time comes.
     asks: bool,
+    /// Whether the moment is where they cross, too. Moved into the time when both are active it need not be: on steep curves the
+    /// place may then be far in y.
+    in_place: bool,
 }
 
 impl Eq for Event {}
@@ -55,7 +58,7 @@ impl<M: CrossingModule> Sweep<'_, M> {
             return;
         }
         self.audit.crossings += 1;
-        self.swap(lower, upper, Some(at));
+        self.swap(lower, upper, event.in_place.then_some(at));
         self.work.extend([self.status.near(lower, DOWN), upper]);
         // Lines do not cross again.
         if asks || ![event.lower, event.upper].iter().all(|curve| self.curves[*curve as usize].is_line()) {
@@ -95,14 +98,15 @@ impl<M: CrossingModule> Sweep<'_, M> {
                     // Both crossings at one moment leave the order as it is.
                     let again = answer.points().get(i + 1).map(|next| self.while_active(*next, f, g));
                     let asks = again.is_some_and(|next| next.compare(&moment).is_le());
-                    self.queue.push(Reverse(Event { moment, lower: f, upper: g, asks }));
+                    let in_place = moment == crossing;
+                    self.queue.push(Reverse(Event { moment, lower: f, upper: g, asks, in_place }));
                     self.audit.queued += 1;
                 }
                 break;
             }
             below = !below;
             // On steep curves the place may be far in y though it is late by no more than a rounding of x.
-            let place_now = (moment.at.x - now.at.x).abs() <= self.module.tolerance();
+            let place_now = moment == crossing && (moment.at.x - now.at.x).abs() <= self.module.tolerance();
             place = place_now.then_some(moment.at);
         }
         let ordered = if below { Ok(()) } else { Err(place) };
@@ -122,7 +126,8 @@ impl<M: CrossingModule> Sweep<'_, M> {
         if known.until.is_finite() && known.only != Some(below) {
             let curve = &self.curves[f as usize];
             let at = DVec2::new(known.until, curve.y_at(known.until.min(curve.end.x)));
-            self.queue.push(Reverse(Event { moment: Moment::from(at), lower: f, upper: g, asks: true }));
+            let moment = Moment::from(at);
+            self.queue.push(Reverse(Event { moment, lower: f, upper: g, asks: true, in_place: true }));
         }
         match self.overruled(known, below, f, g) {
             Some(true) => {
