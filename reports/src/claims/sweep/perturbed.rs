@@ -89,7 +89,9 @@ fn measured(pieces: &Pieces, by_triples: bool, lie: Lie) -> Option<Measured> {
         return None;
     }
     let extent = extent(pieces);
-    let module = Liar::new(lie, extent, 1000.0 * EPS * extent, 1);
+    // What does not lie knows its tolerance, too.
+    let size = if matches!(lie, Lie::None) { 0.0 } else { 1000.0 * EPS * extent };
+    let module = Liar::new(lie, extent, size, 1);
     let off = perturbation(&arrange_with(pieces, &module));
     let scale = EPS * extent * if by_triples { triples(pieces) } else { 1.0 };
     Some(Measured::between(off.lo / scale, off.hi / scale))
