@@ -89,7 +89,8 @@ pub const ERRATA: [Erratum; 26] = [
             "tail less head for t1 = 1, h1 = 0, t2 = 3, h2 = 0, against |t2 - h2| - |t1 - h1|",
             || {
                 let [t1, h1, t2, h2]: [f64; 4] = [1.0, 0.0, 3.0, 0.0];
-                [(h1 + t2) - (h1 + t2), (h1 + t2) - (t1 + h2), (t2 - h2).abs() - (t1 - h1).abs()]
+                let (tail, printed_head, head) = (h1 + t2, h1 + t2, t1 + h2);
+                [tail - printed_head, tail - head, (t2 - h2).abs() - (t1 - h1).abs()]
             },
         ),
     },
@@ -282,8 +283,9 @@ fn second_form() -> [f64; 3] {
     let degrees = f64::to_radians;
     let (theta, alpha, gamma, delta) = (degrees(30.0), 0.0, degrees(45.0), degrees(45.0));
     let half = sin((theta + alpha) / 2.0);
-    let second = half / (2.0 * sin(gamma) * cos(delta / 2.0)) * -1.0;
-    let first = half * sin((theta - alpha) / 2.0) / (sin(gamma) * sin(delta)) * -1.0;
+    // h_x - t_x is -1.
+    let second = -half / (2.0 * sin(gamma) * cos(delta / 2.0));
+    let first = -half * sin((theta - alpha) / 2.0) / (sin(gamma) * sin(delta));
     [second, first, cos(theta) - 1.0]
 }
 

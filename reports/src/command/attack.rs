@@ -80,11 +80,16 @@ pub fn attack(args: &AttackArgs) -> Result<u8, Failure> {
     let threads = args.threads.map_or_else(|| std::thread::available_parallelism().map_or(1, usize::from), usize::from);
     for (claim, sup) in sups {
         let search = Search { seed: args.seed, time: args.time, threads };
+        let found = folder.inner("worst");
         let each = |worst: &Worst| {
-            eprintln!("{}: {} {}, {} {}", claim.id, sup.quantity, bracket(worst), worst.input.size(), sup.unit)
+            eprintln!("{}: {} {}, {} {}", claim.id, sup.quantity, bracket(worst), worst.input.size(), sup.unit);
+            let so_far = Sought { worst: vec![worst.clone()], ..Sought::default() };
+            if let Err(failure) = write(&found, claim, &so_far) {
+                eprintln!("arcsum: {failure}");
+            }
         };
         let sought = seek(claim.id, sup, search, stop, each);
-        let file = write(&folder.inner("worst"), claim, &sought).map_err(Failure::other)?;
+        let file = write(&found, claim, &sought).map_err(Failure::other)?;
         if let Some(keep) = &args.keep {
             write(keep, claim, &sought).map_err(Failure::other)?;
         }

@@ -6,8 +6,10 @@ use crate::claims::finding::{Finding, Verdict};
 use crate::claims::record::{Record, written};
 use crate::claims::run::{Settings, run};
 use crate::claims::{Claim, registry};
+use crate::environment::Environment;
 use crate::page;
-use crate::run::folder::Folder;
+use crate::run::folder::{Folder, write_json};
+use crate::run::plan::Plan;
 use clap::Args;
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
@@ -29,6 +31,9 @@ pub struct ClaimsArgs {
     /// Experiments at a time [default: one a processor].
     #[arg(long, value_parser = clap::value_parser!(u16).range(1..))]
     threads: Option<u16>,
+    /// Only make the page again, from the records in the output folder.
+    #[arg(long, conflicts_with_all = ["ids", "resume", "threads"])]
+    page: bool,
     /// The output folder; what else is in it stays.
     #[arg(long, default_value = "out")]
     out: PathBuf,
@@ -39,11 +44,20 @@ pub struct ClaimsArgs {
 /// # Errors
 /// When there is no such claim, or the folder cannot be used.
 pub fn claims(args: &ClaimsArgs) -> Result<u8, Failure> {
+    if args.page {
+        let page = page::claims::write(&args.out).map_err(Failure::input)?;
+        let page = page.ok_or_else(|| Failure::input(format!("{}: no records of claims", args.out.display())))?;
+        println!("{}", page.display());
+        return Ok(0);
+    }
     let claims = chosen(&args.ids)?;
     let folder = Folder::open(&args.out).map_err(Failure::other)?;
     let stop = interrupt::flag()?;
     let threads = args.threads.map_or_else(|| std::thread::available_parallelism().map_or(1, usize::from), usize::from);
     let settings = Settings { effort: args.effort, seed: args.seed, threads, resume: args.resume };
+    let nothing = Plan::new(Vec::new(), &[]).map_err(Failure::other)?;
+    let environment = Environment::of(&nothing, threads, args.seed, 0.0);
+    write_json(&folder.inner("claims").join("environment.json"), &environment).map_err(Failure::other)?;
     let mut done = 0;
     let each = |record: &Record| {
         done += 1;

@@ -21,7 +21,11 @@ fn claims_end_in_a_table_a_page_and_witnesses() {
     let table = fs::read_to_string(place.path("out/claims.csv")).unwrap();
     assert!(table.starts_with("id,verdict,quantity,measured,"), "{table}");
     assert!(table.lines().any(|line| line.starts_with("M12 printed,refuted,")), "{table}");
-    assert!(fs::read_to_string(place.path("out/claims.html")).unwrap().contains("M12 printed"));
+    let page = fs::read_to_string(place.path("out/claims.html")).unwrap();
+    assert!(page.contains("M12 printed"));
+    fs::remove_file(place.path("out/claims.html")).unwrap();
+    assert_eq!(code(&run(&["claims", "--page", "--out", &out])), 0);
+    assert_eq!(fs::read_to_string(place.path("out/claims.html")).unwrap(), page);
     let again = run(&["replay", &place.text("out/witnesses/M12_printed.json")]);
     assert_eq!(code(&again), 0, "{:?}", errors(&again));
     assert!(said(&again).ends_with("holds\n"));
@@ -66,8 +70,12 @@ fn an_attack_leaves_its_worst_inputs() {
 
 #[test]
 fn what_is_no_claim_is_told_in_a_sentence() {
-    for arguments in [["claims", "M99"], ["attack", "M99"], ["attack", "M36"]] {
-        let output = run(&arguments);
+    let place = Place::new();
+    let nowhere = place.text("nowhere");
+    for arguments in
+        [&["claims", "M99"][..], &["attack", "M99"], &["attack", "M36"], &["claims", "--page", "--out", &nowhere]]
+    {
+        let output = run(arguments);
         assert_eq!((code(&output), errors(&output).len()), (2, 1), "{arguments:?}");
     }
 }

@@ -51,7 +51,8 @@ pub(super) fn claims() -> [Claim; 2] {
     let claim = Claim {
         id: "M14",
         place: "MS 4, 4.3",
-        says: "The arrangement of m sum segments is exact for segments O(eps + k m eps) from them, k the triples in cyclic order.",
+        says: "The arrangement of m sum segments is exact for segments O(eps + k m eps) from them, k the triples in cyclic \
+               order, here: with the constant 4 of the memo.",
         erratum: "",
         test: Test::Sup(sup.clone()),
     };
