@@ -17,6 +17,8 @@ pub(super) struct Guises {
     pieces: HashMap<u32, Vec<u32>>,
     /// For a piece, the curves that stand for it besides its own.
     curves: HashMap<u32, Vec<u32>>,
+    /// Whether a curve stands for more than one piece; later curves do not.
+    is_merged: Vec<bool>,
 }
 
 impl Guises {
@@ -31,6 +33,15 @@ impl Guises {
             self.curves.entry(*piece).or_default().push(curve);
         }
         self.pieces.insert(curve, pieces);
+        if self.is_merged.len() <= curve as usize {
+            self.is_merged.resize(curve as usize + 1, false);
+        }
+        self.is_merged[curve as usize] = true;
+    }
+
+    /// Whether a curve is one piece.
+    fn is_one(&self, curve: u32) -> bool {
+        !self.is_merged.get(curve as usize).is_some_and(|is_merged| *is_merged)
     }
 }
 
@@ -71,18 +82,36 @@ impl<M: CrossingModule> Sweep<'_, M> {
         self.guises_of(f).flat_map(move |f| self.guises_of(g).map(move |g| [f, g]))
     }
 
+    /// Two curves of which each is one piece, as most are.
+    fn as_they_are(&self, f: u32, g: u32) -> Option<[&Curve; 2]> {
+        let are_one = self.guises.is_one(f) && self.guises.is_one(g);
+        are_one.then(|| [&self.curves[f as usize], &self.curves[g as usize]])
+    }
+
     /// [`CrossingModule::agrees`] of all that two curves stand for.
     pub(super) fn all_agree(&self, below: bool, f: u32, g: u32) -> bool {
-        self.in_guises(f, g).all(|[f, g]| self.module.agrees(below, &f, &g))
+        match self.as_they_are(f, g) {
+            Some([f, g]) => self.module.agrees(below, f, g),
+            None => self.in_guises(f, g).all(|[f, g]| self.module.agrees(below, &f, &g)),
+        }
     }
 
     /// [`CrossingModule::known`] of all that two curves stand for.
     pub(super) fn all_known(&self, f: u32, g: u32, x: f64) -> Known {
-        self.in_guises(f, g).fold(Known::NOTHING, |known, [f, g]| known.and(self.module.known(&f, &g, x)))
+        match self.as_they_are(f, g) {
+            Some([f, g]) => self.module.known(f, g, x),
+            None => {
+                let all = self.in_guises(f, g).map(|[f, g]| self.module.known(&f, &g, x));
+                all.fold(Known::NOTHING, Known::and)
+            }
+        }
     }
 
     /// [`CrossingModule::placed`] of the first of what two curves stand for about which it says something.
     pub(super) fn any_placed(&self, f: u32, g: u32) -> Option<bool> {
-        self.in_guises(f, g).find_map(|[f, g]| self.module.placed(&f, &g, self.now.x))
+        match self.as_they_are(f, g) {
+            Some([f, g]) => self.module.placed(f, g, self.now.x),
+            None => self.in_guises(f, g).find_map(|[f, g]| self.module.placed(&f, &g, self.now.x)),
+        }
     }
 }
