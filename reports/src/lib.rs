@@ -10,6 +10,7 @@ pub mod engine;
 pub mod environment;
 pub mod iterate;
 pub mod judge;
+pub mod lines;
 pub mod memory;
 pub mod page;
 pub mod row;

@@ -9,17 +9,16 @@ use arcsum::piece::{Piece, Pieces};
 use arcsum::region::Region;
 use arcsum::smooth::Smooth;
 use arcsum::sum3::Rounding;
-use arcsum_oracle::chains::{Point, winding};
 use arcsum_oracle::monotone::Monotone;
 use arcsum_reports::bridge::plain;
 use arcsum_reports::cases::rng::Rng;
+use arcsum_reports::lines::{around, distance, in_input_units};
 use arcsum_tests::cases;
 use arcsum_tests::shapes::{Lattice, cells, holed, simple};
 use glam::DVec2;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
-use rug::Rational;
 use std::collections::BTreeMap;
 
 /// Probes this close to a piece, in unit-box lengths, are not asked about: pieces end at rounded points.
@@ -66,39 +65,6 @@ impl Convolved {
         let crust = |kind: Kind| matches!(kind, Kind::LowerCrust | Kind::UpperCrust);
         self.order.roles(piece as u32).iter().any(|(_, kind)| !crust(*kind))
     }
-
-    /// The same point in input units.
-    fn input(&self, p: DVec2) -> Point {
-        let side = Rational::from_f64(libm::scalbn(1.0, self.frames.0.exp)).expect("finite");
-        let exact = |x: f64| Rational::from_f64(x).expect("finite");
-        let (a, b) = (self.frames.0.shift, self.frames.1.shift);
-        [exact(p.x) * &side + exact(a.x) + exact(b.x), exact(p.y) * &side + exact(a.y) + exact(b.y)]
-    }
-}
-
-/// The distance of a point from the nearest piece.
-fn distance(pieces: &Pieces, p: DVec2) -> f64 {
-    let to = |piece: &Piece| {
-        let [from, to] = [piece.tail, piece.head].map(|v| pieces.points[v as usize]);
-        let (way, out) = (to - from, p - from);
-        let along = if way == DVec2::ZERO { 0.0 } else { (out.dot(way) / way.length_squared()).clamp(0.0, 1.0) };
-        (out - along * way).length()
-    };
-    pieces.pieces.iter().map(to).fold(f64::INFINITY, f64::min)
-}
-
-/// The winding number of a point in pieces that are lines.
-fn around(pieces: &Pieces, p: DVec2) -> i32 {
-    assert!(pieces.pieces.iter().all(|piece| piece.delta == 0.0), "polygons");
-    let exact = |p: &DVec2| [p.x, p.y].map(|x| Rational::from_f64(x).expect("finite"));
-    let level: Vec<[Point; 2]> = pieces
-        .pieces
-        .iter()
-        .map(|piece| [piece.tail, piece.head].map(|v| pieces.points[v as usize]))
-        .filter(|[from, to]| (from.y > p.y) != (to.y > p.y))
-        .map(|ends| ends.each_ref().map(exact))
-        .collect();
-    winding(level.iter().map(|[from, to]| [from, to]), &exact(&p)) + pieces.base[0]
 }
 
 /// Checks the facts of memo E5 at some points.
@@ -108,7 +74,7 @@ fn as_defined(a: &Region, b: &Region, seed: u64) -> Result<(), TestCaseError> {
 
 fn holds(convolved: &Convolved, seed: u64) -> Result<(), TestCaseError> {
     for p in convolved.probes(seed) {
-        let counts = convolved.definition.counts(&convolved.input(p));
+        let counts = convolved.definition.counts(&in_input_units(&convolved.frames, p));
         let (m, kinetic) = (counts.winding(), around(&convolved.kinetic, p));
         prop_assert_eq!(around(&convolved.monotonic, p), m, "{:?} at {:?}", counts, p);
         prop_assert!(m >= 0 && m <= kinetic && (m == 0) == (kinetic == 0), "{m} and {kinetic} at {p:?}");

@@ -16,10 +16,11 @@ use crate::cases::orthogonal::{Corners, Style, cells};
 use crate::cases::rng::Rng;
 use crate::cases::{many, shape};
 use crate::kept;
+use crate::lines::{around, distance, in_input_units};
 use arcsum::convolution::monotonic;
 use arcsum::convolution::order::{Kind, Order};
 use arcsum::frame::Frame;
-use arcsum::piece::{Piece, Pieces};
+use arcsum::piece::Pieces;
 use arcsum::region::Region;
 use arcsum::smooth::Smooth;
 use arcsum::sum3::Rounding;
@@ -136,20 +137,13 @@ impl Convolved {
     }
 
     fn is_wrong(&self, probe: DVec2, reading: Reading) -> bool {
-        let t = self.input(probe);
+        let t = in_input_units(&self.frames, probe);
         let free = winding(self.sum.iter().map(|[p, q]| [p, q]), &t) == 0;
         let defined = self.definition.counts(&t).winding();
         // The engine fills, and the definition does not say how moved boundaries run.
         let found = if reading == Reading::Unfilled { defined } else { around(&self.pieces, probe) };
         let differs = reading == Reading::Corrected && found != defined;
         differs || found < 0 || (found == 0) != free
-    }
-
-    /// The same point in input units.
-    fn input(&self, p: DVec2) -> Point {
-        let side = exact(libm::scalbn(1.0, self.frames.0.exp));
-        let (a, b) = (self.frames.0.shift, self.frames.1.shift);
-        [exact(p.x) * &side + exact(a.x) + exact(b.x), exact(p.y) * &side + exact(a.y) + exact(b.y)]
     }
 }
 
@@ -161,30 +155,6 @@ fn turn_around(pieces: &mut Pieces, order: &Order) {
             std::mem::swap(&mut piece.tail, &mut piece.head);
         }
     }
-}
-
-/// The distance of a point from the nearest of some lines.
-fn distance(pieces: &Pieces, p: DVec2) -> f64 {
-    let to = |piece: &Piece| {
-        let [from, to] = [piece.tail, piece.head].map(|v| pieces.points[v as usize]);
-        let (way, out) = (to - from, p - from);
-        let along = if way == DVec2::ZERO { 0.0 } else { (out.dot(way) / way.length_squared()).clamp(0.0, 1.0) };
-        (out - along * way).length()
-    };
-    pieces.pieces.iter().map(to).fold(f64::INFINITY, f64::min)
-}
-
-/// The winding number of a point in pieces that are lines.
-fn around(pieces: &Pieces, p: DVec2) -> i32 {
-    let point = |p: DVec2| [exact(p.x), exact(p.y)];
-    let ends = |piece: &Piece| [piece.tail, piece.head].map(|v| pieces.points[v as usize]);
-    let level: Vec<[Point; 2]> =
-        pieces.pieces.iter().map(ends).filter(|[p0, p1]| (p0.y > p.y) != (p1.y > p.y)).map(|e| e.map(point)).collect();
-    winding(level.iter().map(|[from, to]| [from, to]), &point(p)) + pieces.base[0]
-}
-
-fn exact(x: f64) -> Rational {
-    Rational::from_f64(x).unwrap_or_default()
 }
 
 /// Polygons of any kind, cells with verticals and holes, and islands with lakes.
