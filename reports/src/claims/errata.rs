@@ -201,7 +201,7 @@ pub const ERRATA: [Erratum; 26] = [
         place: "MS 5.1",
         printed: "T segments are boundaries, moved.",
         right: "Reversed: only then is the winding number O - F - T.",
-        proof: Proof::Claim("M20"),
+        proof: Proof::Claim("M20 printed"),
     },
     Erratum {
         place: "MS 7.2",
