@@ -2,6 +2,7 @@
 //! the claim has got better, and its file must be brought up to date.
 
 use arcsum_reports::claims::bench::{Bench, Effort};
+use arcsum_reports::claims::control::Control;
 use arcsum_reports::claims::finding::{Verdict, Worst};
 use arcsum_reports::claims::kept;
 use arcsum_reports::claims::record::Record;
@@ -54,15 +55,41 @@ fn a_rise_is_told() {
 /// The committed verdicts: all claims, none without a verdict but those that wait, every control refuted.
 #[test]
 fn published_verdicts_are_complete() {
-    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../reports/published/claims/claims.csv");
-    let text = std::fs::read_to_string(file).expect("the published table");
     for claim in claims() {
-        let line = text.lines().find(|line| line.starts_with(&format!("{},", claim.id)));
-        let verdict =
-            line.unwrap_or_else(|| panic!("{} is not published", claim.id)).split(',').nth(1).expect("a column");
+        let verdict = published(claim.id);
+        assert_ne!(verdict, "not published", "{}", claim.id);
         assert_eq!(verdict == Verdict::NotTested.word(), matches!(claim.test, Test::Waits(_)), "{}", claim.id);
     }
-    assert!(!text.contains("the control was not refuted"));
+}
+
+/// A claim that is confirmed and has no control of its own shares the experiment with one that is refuted.
+#[test]
+fn shared_controls_are_refuted() {
+    let mut shared = 0;
+    for claim in claims() {
+        let control = match &claim.test {
+            Test::Sup(sup) => sup.control,
+            Test::Whole(whole) => whole.control,
+            Test::Waits(_) => continue,
+        };
+        match control {
+            Control::Claim(id) => {
+                assert_eq!(published(id), "refuted", "{}", claim.id);
+                shared += 1;
+            }
+            Control::Itself => assert_eq!(published(claim.id), "refuted", "{}", claim.id),
+            _ => {}
+        }
+    }
+    assert!(shared > 5);
+}
+
+/// The committed verdict on a claim.
+fn published(id: &str) -> String {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../reports/published/claims/claims.csv");
+    let text = std::fs::read_to_string(file).expect("the published table");
+    let line = text.lines().find(|line| line.starts_with(&format!("{id},")));
+    line.and_then(|line| line.split(',').nth(1)).unwrap_or("not published").to_owned()
 }
 
 /// A file of worst inputs that nothing reads would be measured by nobody.
@@ -94,12 +121,6 @@ const TIMED: [&str; 4] = ["M49", "M50 printed", "M50 corrected", "A4 time"];
 /// All experiments at quick effort come to the committed verdicts, and all controls are refuted.
 #[test]
 fn verdicts_are_as_published() {
-    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../reports/published/claims/claims.csv");
-    let published = std::fs::read_to_string(file).expect("the published table");
-    let verdict = |id: &str| {
-        let line = published.lines().find(|line| line.starts_with(&format!("{id},")));
-        line.and_then(|line| line.split(',').nth(1)).unwrap_or("not published").to_owned()
-    };
     let bench = Bench { effort: Effort::Quick, seed: 1, stop: &AtomicBool::new(false) };
     let (claims, next, wrong) = (claims(), AtomicUsize::new(0), Mutex::new(Vec::new()));
     std::thread::scope(|scope| {
@@ -110,7 +131,7 @@ fn verdicts_are_as_published() {
                         continue;
                     }
                     let record = Record::of(claim, &bench);
-                    let (now, then) = (record.finding.verdict.word(), verdict(claim.id));
+                    let (now, then) = (record.finding.verdict.word(), published(claim.id));
                     let passed = record.control.is_some_and(|control| control.verdict != Verdict::Refuted);
                     if now != then || passed {
                         let text = format!("{}: {now}, was {then}; control passed: {passed}", claim.id);

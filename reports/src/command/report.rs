@@ -2,13 +2,14 @@
 //! page. The last line printed is the path of the page.
 
 use super::verify::{measure, stamp};
-use super::{Failure, INTERRUPTED, RunArgs};
+use super::{Failure, INTERRUPTED, RunArgs, interrupt};
 use crate::cases::source::collect;
 use crate::engine::registry::BUILT_IN;
 use crate::page;
 use crate::run::plan::Plan;
 use clap::Args;
 use std::process::{Command, Stdio};
+use std::sync::atomic::Ordering;
 
 /// Arguments of `arcsum report`.
 #[derive(Debug, Args)]
@@ -28,9 +29,15 @@ pub fn report(args: &ReportArgs) -> Result<u8, Failure> {
     if measure(&plan, &args.run)?.interrupted {
         return Ok(INTERRUPTED);
     }
+    let stop = interrupt::flag()?;
     beside(&BENCH, args)?;
     let resume = if args.run.resume { &["--resume"][..] } else { &[] };
-    beside(&[&CLAIMS, resume].concat(), args)?;
+    if !stop.load(Ordering::Relaxed) {
+        beside(&[&CLAIMS, resume].concat(), args)?;
+    }
+    if stop.load(Ordering::Relaxed) {
+        return Ok(INTERRUPTED);
+    }
     // The timing left its own.
     stamp(&plan, &args.run)?;
     let index = page::write(&args.run.out).map_err(Failure::other)?;

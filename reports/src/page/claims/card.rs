@@ -1,9 +1,11 @@
 //! A claim in full: what it says, the number, the control, the erratum, the plot, the worst input and the command.
 
 use super::{badge, plot};
+use crate::claims::Test;
 use crate::claims::finding::{Finding, Worst};
 use crate::claims::input::Input;
 use crate::claims::record::{Record, written};
+use crate::claims::registry::named;
 use crate::page::escape::text;
 use crate::page::{panel, picture};
 
@@ -76,9 +78,11 @@ fn worst_input(stem: &str, worst: &Worst) -> String {
 fn command(record: &Record) -> String {
     let effort = format!("{:?}", record.effort).to_lowercase();
     let again = format!("arcsum claims {} --effort {effort} --seed {}", record.stem(), record.seed);
-    let replay = match &record.finding.worst {
-        Some(_) => format!("<br><code>arcsum replay witnesses/{}.json</code>", record.stem()),
-        None => String::new(),
+    let on_single_inputs = named(&record.id).iter().any(|claim| matches!(claim.test, Test::Sup(_)));
+    let replay = if record.finding.worst.is_some() && on_single_inputs {
+        format!("<br><code>arcsum replay witnesses/{}.json</code>", record.stem())
+    } else {
+        String::new()
     };
     format!("<p><code>{}</code>{replay}</p>\n", text(&again))
 }
