@@ -10,6 +10,7 @@
 use std::sync::Arc;
 
 use super::curve::Curve;
+use super::meet::LIMIT;
 use super::nearest::Nearest;
 use super::piece::{Circle, Piece};
 use super::reach::Reach;
@@ -74,7 +75,7 @@ impl Turn {
             let turned = Curve::new(move |precision| self.piece(curve.at(precision)));
             Span { curve: Arc::new(turned), ends: span.ends.each_ref().map(|end| self.vector(end)) }
         };
-        Outline { pieces: outline.pieces.iter().map(span).collect(), unbounded: outline.unbounded }
+        Outline { pieces: outline.pieces.iter().flat_map(|piece| monotone(span(piece))).collect(), ..*outline }
     }
 
     fn found(self, mut found: Found) -> Found {
@@ -85,6 +86,37 @@ impl Turn {
         }
         found
     }
+}
+
+/// An arc of at most a quarter of a circle, cut where it passes one of the axis directions from the centre: the turned one of a
+/// quadrant may do so.
+fn monotone(span: Span) -> Vec<Span> {
+    let axis = AXES.into_iter().find(|axis| {
+        let piece = span.curve.at(LIMIT);
+        piece.circle.as_ref().is_some_and(|circle| piece.spans(&extreme(circle, *axis)) == Some(true))
+    });
+    let (Some(axis), Some(circle)) = (axis, &span.curve.at(LIMIT).circle) else { return vec![span] };
+    let (middle, [from, to]) = (extreme(circle, axis), span.ends.clone());
+    let part = |second: bool, ends: [Vector; 2]| {
+        let whole = Arc::clone(&span.curve);
+        let curve = Curve::new(move |precision| {
+            let mut piece = whole.at(precision).clone();
+            let end = if second { &mut piece.from } else { &mut piece.to };
+            piece.circle.iter().for_each(|circle| *end = extreme(circle, axis));
+            piece
+        });
+        Span { curve: Arc::new(curve), ends }
+    };
+    vec![part(false, [from, middle.clone()]), part(true, [middle, to])]
+}
+
+/// The directions of the axes.
+const AXES: [[f64; 2]; 4] = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]];
+
+/// The point of a circle in the direction of an axis.
+fn extreme(circle: &Circle, axis: [f64; 2]) -> Vector {
+    let [x, y] = axis.map(|along| &circle.radius * along);
+    Vector { x: &circle.centre.x + &x, y: &circle.centre.y + &y }
 }
 
 /// What was found about the distance of two regions.
@@ -215,5 +247,18 @@ mod tests {
         holds(&measured(&level(bent), &level(straight)), sagitta);
         let found = between(&region(&bent), &region(&straight)).expect("closed").expect("decided");
         assert!(found.bracket.witness.0.abs() < 1e-15 && (0.0..1.0).contains(&found.bracket.witness.1), "{found:?}");
+    }
+
+    /// Quarters of circles have their leftmost and rightmost points at other places when they are turned.
+    #[test]
+    fn discs_are_measured_askew() {
+        for turn in TURNS {
+            for d in [2, 20].map(|k| 2f64.powi(-k)) {
+                let pair = [disc(0.0, 1.0), disc(0.0, 1.0 - d)].map(|outline| turn.outline(&outline));
+                let (found, blur) = upright_between(&pair[0], &pair[1]).expect("closed").expect("decided");
+                assert!(blur < FLOOR);
+                holds(&found.bracket, d);
+            }
+        }
     }
 }
