@@ -110,19 +110,47 @@ fn touch(chains: &[Double], i: usize, j: usize) -> bool {
 /// The differences of two spans, given by chain, place in the chain and box, over their common abscissas; `None` if
 /// there are none.
 fn compare(chains: &[Double], pair: [&(usize, usize, [f64; 4]); 2], scale: &Real) -> Option<Differences> {
-    let [a, b] = pair.map(|(_, _, bounds)| bounds);
+    let boxes = pair.map(|(_, _, bounds)| *bounds);
     let placed = pair.map(|&(chain, i, _)| &chains[chain].placed[i]);
-    let [left, right] = overlap(placed.map(|p| &p.path))?;
-    if let Some(gap) = [a[1] - b[3], a[3] - b[1]].into_iter().zip([1.0, -1.0]).find(|(gap, sign)| gap * sign > APART) {
-        return Some(Differences { placed: [gap.0; 2], stored: [gap.0; 2] });
+    let paths = placed.map(|p| &p.path);
+    let plainly_share = boxes[0][2].min(boxes[1][2]) - boxes[0][0].max(boxes[1][0]) > APART;
+    let apart = boxes_apart(boxes).or_else(|| if plainly_share { lines_apart(paths, boxes) } else { None });
+    let apart = apart.map(|gap| Differences { placed: [gap; 2], stored: [gap; 2] });
+    if apart.is_some() && plainly_share {
+        return apart;
+    }
+    let [left, right] = overlap(paths)?;
+    if apart.is_some() {
+        return apart;
     }
     let stored = pair.map(|&(chain, i, _)| &chains[chain].stored[i]);
     let middle = (&left + &right) * 0.5;
     let along = parallel(placed, &left, &right);
     Some(Differences {
-        placed: extremes(placed.map(|p| &p.path), [&left, &right].into_iter().chain(&along), scale)?,
+        placed: extremes(paths, [&left, &right].into_iter().chain(&along), scale)?,
         stored: extremes(stored, [&left, &middle, &right].into_iter(), scale)?,
     })
+}
+
+/// By how much all of one box is above the other, negative if it is below; `None` if it is not by much.
+fn boxes_apart([a, b]: [[f64; 4]; 2]) -> Option<f64> {
+    [a[1] - b[3], a[3] - b[1]].into_iter().zip([1.0, -1.0]).find(|(gap, sign)| gap * sign > APART).map(|(gap, _)| gap)
+}
+
+/// The same for two lines over the abscissas that they have in common. Doubles will do for lines that are wide enough: their
+/// ordinates come out right to 2^-28.
+fn lines_apart(paths: [&Path; 2], [a, b]: [[f64; 4]; 2]) -> Option<f64> {
+    let are_wide = [a, b].iter().all(|bounds| bounds[2] - bounds[0] > APART);
+    if !are_wide || paths.iter().any(|path| path.round.is_some()) {
+        return None;
+    }
+    let [f, g] = paths.map(|path| {
+        let [x0, y0, x1, y1] = [path.from.x.mid(), path.from.y.mid(), path.to.x.mid(), path.to.y.mid()];
+        move |x: f64| y0 + (x - x0) / (x1 - x0) * (y1 - y0)
+    });
+    let [at_left, at_right] = [a[0].max(b[0]), a[2].min(b[2])].map(|x| f(x) - g(x));
+    let gap = if at_left > 0.0 { at_left.min(at_right) - APART } else { at_left.max(at_right) + APART };
+    (gap.abs() > APART && (gap > 0.0) == (at_left > 0.0)).then_some(gap)
 }
 
 /// The greatest and the least difference of the ordinates at some abscissas, rounded outwards.
@@ -211,6 +239,21 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn lines_plainly_apart_are_so(
+            slopes in (-50.0..50.0f64, -50.0..50.0f64), heights in (-1.0..1.0f64, -1.0..1.0f64),
+            ends in (-1.0..1.0f64, -1.0..1.0f64, -1.0..1.0f64, -1.0..1.0f64),
+        ) {
+            let one = line(slopes.0, heights.0, ends.0.min(ends.1), ends.0.max(ends.1));
+            let two = line(slopes.1, heights.1, ends.2.min(ends.3), ends.2.max(ends.3));
+            let (paths, scale) = ([&one.path, &two.path], Real::from(1.0));
+            let (Some([left, right]), boxes) = (overlap(paths), paths.map(|path| path.bounds(&scale))) else { return Ok(()) };
+            if let Some(gap) = lines_apart(paths, boxes) {
+                let [most, least] = extremes(paths, [&left, &right].into_iter(), &scale).expect("values");
+                prop_assert!(if gap > 0.0 { least > gap } else { most < gap }, "{gap} {least} {most}");
+            }
+        }
+
         #[test]
         fn an_arc_is_nearest_to_a_line_where_it_is_parallel(
             slope in -2.0..2.0f64, height in -1.0..3.0f64, ends in (-0.99..0.99f64, -0.99..0.99f64),
