@@ -15,7 +15,7 @@ const FUNCTIONS: &str = "l1, r1, l2, r2, p_x, ordinates of f1, of f2";
 /// Where the ordinates begin.
 const ORDINATES: usize = 5;
 
-/// Points looked at on each line of a function.
+/// Parts of each line of a function at whose ends distances are taken.
 const ON_A_LINE: i64 = 8;
 
 /// A point.
@@ -106,11 +106,14 @@ fn measured(input: &Input, way: Way) -> Option<Measured> {
         return Some(Measured::exactly(f64::INFINITY));
     }
     let far = |(old, new): (&Path, &Path)| if way == Way::There { farthest(old, new) } else { farthest(new, old) };
-    let farthest = old.iter().zip(&new).map(far).max()?;
-    let is_more = farthest > square;
-    let ratio = (farthest / square).to_f64().sqrt();
+    let [lo, hi] = old.iter().zip(&new).map(far).reduce(|p, q| [0, 1].map(|i| (&p[i]).max(&q[i]).clone()))?;
     // Rounding must not say that a distance is |p| when it is more.
-    Some(Measured::exactly(if is_more { ratio.max(1.0_f64.next_up()) } else { ratio.min(1.0) }))
+    let ratio = |of: Rational| {
+        let is_more = of > square;
+        let ratio = (of / &square).to_f64().sqrt();
+        if is_more { ratio.max(1.0_f64.next_up()) } else { ratio.min(1.0) }
+    };
+    Some(Measured::between(ratio(lo), ratio(hi)))
 }
 
 /// Points of f1 and of f2 such that f1 moved from the one to the other touches f2 from below (Fig. 14): it is moved to the
@@ -164,19 +167,28 @@ fn in_order([first, second]: &[Path; 2]) -> bool {
     abscissas.filter_map(|x| Some(value(first, x)? <= value(second, x)?)).all(|held| held)
 }
 
-/// The square of the greatest distance of points of one path from another, over vertices and points on the lines.
-fn farthest(from: &Path, to: &Path) -> Rational {
-    let points = from.windows(2).flat_map(|line| {
-        (0..=ON_A_LINE).map(|k| {
+/// A bracket of the square of the greatest distance of points of one path from another. The lower bound is over points on the
+/// lines. The distance from a line is convex, so that of all points between two neighbouring ones from it is no more than
+/// that of these two.
+fn farthest(from: &Path, to: &Path) -> [Rational; 2] {
+    let mut bracket = [Rational::new(), Rational::new()];
+    for line in from.windows(2) {
+        let spot = |k: i64| {
             let along = Rational::from((k, ON_A_LINE));
             [0, 1].map(|i| Rational::from(&line[1][i] - &line[0][i]) * &along + &line[0][i])
-        })
-    });
-    points.map(|p| distance(&p, to)).max().unwrap_or_default()
+        };
+        let off: Vec<Vec<Rational>> = (0..=ON_A_LINE).map(|k| distances(&spot(k), to)).collect();
+        let lo = off.iter().filter_map(|of| of.iter().min()).max();
+        let ends = |pair: &[Vec<Rational>]| pair[0].iter().zip(&pair[1]).map(|(p, q)| p.max(q).clone()).min();
+        let hi = off.windows(2).filter_map(ends).max();
+        bracket[0] = lo.max(Some(&bracket[0])).cloned().unwrap_or_default();
+        bracket[1] = hi.max(Some(bracket[1].clone())).unwrap_or_default();
+    }
+    bracket
 }
 
-/// The square of the distance of a point from a path.
-fn distance(p: &Point, path: &Path) -> Rational {
+/// The squares of the distances of a point from the lines of a path.
+fn distances(p: &Point, path: &Path) -> Vec<Rational> {
     let way = |q: &Point, r: &Point| [0, 1].map(|i| Rational::from(&r[i] - &q[i]));
     let dot = |u: &Point, v: &Point| Rational::from(&u[0] * &v[0]) + Rational::from(&u[1] * &v[1]);
     let to_line = |line: &[Point]| {
@@ -186,7 +198,7 @@ fn distance(p: &Point, path: &Path) -> Rational {
         let off = [0, 1].map(|i| &from[i] - Rational::from(&chord[i] * &along));
         dot(&off, &off)
     };
-    path.windows(2).map(to_line).min().unwrap_or_default()
+    path.windows(2).map(to_line).collect()
 }
 
 #[cfg(test)]
