@@ -54,15 +54,16 @@ impl Sup {
     /// Measures the kept inputs and the drawn ones.
     #[must_use]
     pub fn run(&self, id: &str, bench: &Bench) -> Finding {
-        self.measured(id, bench, self.draw, self.measure)
+        self.measured(id, bench, self.kept, self.draw, self.measure)
     }
 
     /// The control; the experiment itself if it has none of its own.
     #[must_use]
     pub fn control(&self, id: &str, bench: &Bench) -> Finding {
         match self.control {
-            Control::Measure { measure, .. } => self.measured(id, bench, self.draw, measure),
-            Control::Inputs { draw, .. } => self.measured(id, bench, draw, self.measure),
+            Control::Measure { measure, .. } => self.measured(id, bench, self.kept, self.draw, measure),
+            // Kept inputs are none of these.
+            Control::Inputs { draw, .. } => self.measured(id, bench, "", draw, self.measure),
             Control::Run { run, .. } => run(bench),
             Control::Claim(_) | Control::Itself => self.run(id, bench),
         }
@@ -72,11 +73,12 @@ impl Sup {
         &self,
         id: &str,
         bench: &Bench,
+        kept: &str,
         draw: fn(&mut Rng, usize) -> Input,
         measure: fn(&Input) -> Option<Measured>,
     ) -> Finding {
         let mut tally = Tally { rule: self.rule, values: Vec::new(), worst: None };
-        for kept in kept::read(self.kept) {
+        for kept in kept::read(kept) {
             tally.enter(kept.input, measure);
         }
         for number in 0..bench.either(self.draws) {

@@ -2,6 +2,8 @@
 
 use super::mu::Mu;
 use super::probes::deepest;
+use crate::cases::rng::Rng;
+use crate::cases::shape::{backwards, lines, polygon, region, regular};
 use crate::claims::control::Control;
 use crate::claims::draw;
 use crate::claims::finding::Measured;
@@ -9,7 +11,6 @@ use crate::claims::input::Input;
 use crate::claims::sup::{Rule, Sup};
 use crate::claims::{Claim, Test};
 use crate::kept;
-use arcsum::heuristic::THRESHOLD;
 use arcsum::sum::{Convolution, Options};
 
 /// So deep that no multiple of mu that could be meant reaches it.
@@ -22,11 +23,11 @@ pub(super) fn claims() -> [Claim; 1] {
         rule: Rule::Exceeds(DEEP),
         draws: [40, 4_000],
         draw: draw::pair,
-        measure: |input| measured(input, None),
+        measure,
         kept: kept!("M25"),
-        control: Control::Measure {
-            plants: "the heuristic that rejects free cells by their size",
-            measure: |input| measured(input, Some(THRESHOLD)),
+        control: Control::Inputs {
+            plants: "frames around small polygons, which are free where they fit in",
+            draw: framed,
         },
     };
     [Claim {
@@ -39,11 +40,19 @@ pub(super) fn claims() -> [Claim; 1] {
     }]
 }
 
-/// The greatest inradius at points of free cells over mu, for operands that are 2 mu separated, with the heuristic at this
-/// threshold if there is one.
-fn measured(input: &Input, threshold: Option<f64>) -> Option<Measured> {
+/// The greatest inradius at points of free cells over mu, for operands that are 2 mu separated.
+fn measure(input: &Input) -> Option<Measured> {
     let case = input.as_pair()?;
-    let options = Options { convolution: Convolution::Kinetic, threshold, ..Options::default() };
+    let options = Options { convolution: Convolution::Kinetic, ..Options::default() };
     let mu = Mu::by(case, &options).filter(|mu| mu.separates(case))?;
     deepest(case, &options, mu)
+}
+
+/// A polygon with a hole in its middle, and one that fits into it.
+fn framed(rng: &mut Rng, _number: usize) -> Input {
+    let mut corners = || 3 + rng.below(6) as u32;
+    let [outer, inner, part] = [corners(), corners(), corners()];
+    let mut ring = |n: u32, radius: f64| regular(n, radius, rng.angle());
+    let frame = region(vec![lines(&ring(outer, 1.0)), backwards(&ring(inner, 0.4))]);
+    draw::input("frame", frame, polygon(&ring(part, 0.1)))
 }

@@ -128,7 +128,7 @@ pub(super) fn vertices(map: &Arrangement) -> Greatest {
 }
 
 /// The greater of both.
-pub(super) fn perturbation(map: &Arrangement) -> Greatest {
+pub(in crate::claims) fn perturbation(map: &Arrangement) -> Greatest {
     order(map, 0.0).or(vertices(map))
 }
 

@@ -2,15 +2,20 @@
 
 mod crusts;
 mod families;
+mod hills;
 mod lemma;
 mod moved;
 mod realization;
 mod sums;
 
 use super::Claim;
+use arcsum_oracle::error::Budget;
 
 /// The unit of the theorems, 2^-53.
 const EPS: f64 = f64::EPSILON / 2.0;
+
+/// Work on one certified reference.
+const BUDGET: Budget = Budget { segments: 20_000, meetings: 2_000_000 };
 
 /// The claims of this family.
 #[must_use]

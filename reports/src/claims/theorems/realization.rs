@@ -56,7 +56,7 @@ pub(super) fn claims() -> [Claim; 2] {
             quantity: "distance of matched points / (n eps), over n",
             unit: "1",
             rule: Rule::Flat,
-            draws: [QUICK, families::ALL * 11 * 10],
+            draws: [QUICK, families::ALL * 11 * 3],
             draw,
             measure: |input| as_corrected(input, |_| 0.0),
             kept: kept!("M13_corrected"),
