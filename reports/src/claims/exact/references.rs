@@ -23,7 +23,7 @@ pub(super) fn claims() -> [Claim; 1] {
         quantity: "sums that differ from the first one: by convolution and by decomposition and union, in two number types",
         unit: "1",
         rule: Rule::AtMost(0.0),
-        draws: [150, 10_000],
+        draws: [150, 5_000],
         draw: draw::pair,
         measure: |input| differing(input, all_pieces),
         kept: kept!("F1"),

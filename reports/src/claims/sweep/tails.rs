@@ -34,7 +34,7 @@ pub(super) fn claims() -> [Claim; 3] {
         quantity: "perturbation of order and vertices by eps (1 + k n), eps the tolerance of the module",
         unit: "1",
         rule: Rule::AtMost(CONSTANT),
-        draws: [600, 60_000],
+        draws: [600, 20_000],
         draw,
         measure,
         kept,
