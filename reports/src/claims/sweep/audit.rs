@@ -79,12 +79,12 @@ impl Told {
         let changes = [&hi, &ij, &hj].into_iter().flat_map(|answer| answer.points()).map(|moment| moment.at.x);
         let mut places: Vec<f64> = changes.filter(|x| from < *x && *x < to).chain([from, to]).collect();
         places.sort_by(f64::total_cmp);
+        // Between neighbours there may be no double: what has happened up to the first holds until the second.
         places.windows(2).any(|ends| {
-            let x = ends[0].midpoint(ends[1]);
             let below = |answer: &Crossings| {
-                answer.below ^ (answer.points().iter().filter(|crossing| crossing.at.x < x).count() == 1)
+                answer.below ^ (answer.points().iter().filter(|crossing| crossing.at.x <= ends[0]).count() == 1)
             };
-            ends[0] < x && x < ends[1] && turns(below(&hi), below(&ij), below(&hj))
+            ends[0] < ends[1] && turns(below(&hi), below(&ij), below(&hj))
         })
     }
 }
