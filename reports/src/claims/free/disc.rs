@@ -23,7 +23,7 @@ pub(super) fn claims() -> [Claim; 2] {
         unit: "1",
         rule: Rule::AtMost(1.0),
         draws: [150, 15_000],
-        draw: |rng, _| draw::input("comb", comb(rng, any_width), disc(RADIUS)),
+        draw: |rng, _| draw::input("comb", comb(rng, any_width, |rng, _| rng.between(0.6, 1.0)), disc(RADIUS)),
         measure: |input| measured(input, true),
         kept: kept!("M51_printed"),
         control: Control::Itself,
@@ -40,11 +40,12 @@ pub(super) fn claims() -> [Claim; 2] {
     let corrected = Claim {
         id: "M51 corrected",
         place: "MS 8.3",
-        says: "If the gaps of a polygon are a few roundings wide, or at least four times the radius, its sum with a regular \
+        says: "If the gaps of a polygon are a few roundings wide, or at least four times the radius, and what is beside them \
+               ends as far apart, its sum with a regular \
                polygon for a disc is separated by the radius.",
         erratum: "",
         test: Test::Sup(Sup {
-            draw: |rng, _| draw::input("comb", comb(rng, clear_width), polygon(&regular(13, RADIUS, 0.1))),
+            draw: |rng, _| draw::input("comb", comb(rng, clear_width, clear_reach), polygon(&regular(13, RADIUS, 0.1))),
             kept: kept!("M51_corrected"),
             control: Control::Measure {
                 plants: "the region without the disc",
@@ -72,13 +73,18 @@ fn any_width(rng: &mut Rng) -> f64 {
     }
 }
 
-/// A comb with gaps of such widths.
-fn comb(rng: &mut Rng, width: fn(&mut Rng) -> f64) -> Region {
+/// Teeth of lengths that differ by far more than the disc.
+fn clear_reach(rng: &mut Rng, tooth: usize) -> f64 {
+    0.6 + 0.1 * (3 * tooth % 5) as f64 + rng.between(0.0, 0.04)
+}
+
+/// A comb with gaps of such widths, and teeth that reach so far.
+fn comb(rng: &mut Rng, width: fn(&mut Rng) -> f64, reach: fn(&mut Rng, usize) -> f64) -> Region {
     let (tilt, mut y, mut points) = (rng.between(-0.3, 0.3), 0.0, Vec::<Point>::new());
     let at = |x: f64, y: f64| [x, y + tilt * x];
     let teeth = 2 + rng.below(3);
     for tooth in 0..teeth {
-        let (reach, height) = (rng.between(0.6, 1.0), rng.between(0.1, 0.3));
+        let (reach, height) = (reach(rng, tooth), rng.between(0.1, 0.3));
         points.extend([at(reach, y), at(reach, y + height)]);
         y += height;
         if tooth + 1 < teeth {
