@@ -158,9 +158,18 @@ fn exactly([p, q]: &Edge, [u, v]: &Edge) -> Meeting {
     if one_side(su, sv) || one_side(sp, sq) {
         return Meeting::Apart;
     }
-    if [su, sv, sp, sq].contains(&Ordering::Equal) {
-        // Collinear edges may still be apart; then the intersection is computed in vain.
-        return Meeting::Touch;
+    if su == Ordering::Equal && sv == Ordering::Equal && are_apart([p, q], [u, v]) {
+        return Meeting::Apart;
     }
-    Meeting::Cross
+    if [su, sv, sp, sq].contains(&Ordering::Equal) { Meeting::Touch } else { Meeting::Cross }
+}
+
+/// Whether collinear edges have no point in common.
+fn are_apart(edge: [&Place<Rational>; 2], other: [&Place<Rational>; 2]) -> bool {
+    let ends = |edge: [&Place<Rational>; 2]| {
+        let [p, q] = edge.map(|place| (place.exact.x.clone(), place.exact.y.clone()));
+        if p < q { [p, q] } else { [q, p] }
+    };
+    let ([low, high], [other_low, other_high]) = (ends(edge), ends(other));
+    high < other_low || other_high < low
 }

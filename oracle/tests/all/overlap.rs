@@ -80,3 +80,16 @@ fn touching_is_neither_blocked_nor_free() {
     assert_eq!([state(2, 2), state(3, 3)], [State::Blocked; 2]);
     assert_eq!([state(5, 1), state(-1, 2)], [State::Free; 2]);
 }
+
+/// Walls on one line, one above the other by less than doubles can tell.
+#[test]
+fn collinear_walls_apart_are_free() {
+    let square = PlainRegion { loops: vec![crate::common::rectangle(0.0, 0.0, 2.0, 2.0)], unbounded: false };
+    let overlap = Overlap::new(exact(&square), exact(&square)).expect("small");
+    let bit = Rational::from((1, 1u64 << 60));
+    let state = |x: i32, y: i32, by: &Rational| {
+        overlap.state(&Point { x: Rational::from(x), y: Rational::from(y) + by }).expect("small")
+    };
+    assert_eq!([state(4, 4, &bit), state(0, 4, &bit), state(2, 0, &Rational::from(-&bit))], [State::Free; 3]);
+    assert_eq!([state(4, 0, &bit), state(0, 4, &Rational::from(-&bit))], [State::Undecided; 2]);
+}
