@@ -4,6 +4,7 @@
 use arcsum::arrangement::Arrangement;
 use arcsum::arrangement::cross::{CrossingModule, Crossings};
 use arcsum::arrangement::curve::{Curve, compare};
+use arcsum::arrangement::moment::Moment;
 use arcsum::piece::Pieces;
 use arcsum_oracle::perturbation::{Gap, Greatest, of_order, of_vertices};
 use arcsum_oracle::strand::Strand;
@@ -49,7 +50,8 @@ impl Told {
         self.answers.iter().flatten().map(|answer| answer.points().len()).sum()
     }
 
-    /// The triples of curves in cyclic order over some abscissas, k of the claims.
+    /// The triples of curves in cyclic order for some part of the sweep, k of the claims: over some abscissas, or over some
+    /// ordinates of one, which the sweep passes upwards.
     pub(super) fn cyclic(&self) -> usize {
         let n = self.curves.len();
         let mut cyclic = 0;
@@ -69,23 +71,28 @@ impl Told {
         let [Some(hi), Some(ij), Some(hj)] = [(h, i), (i, j), (h, j)].map(|(f, g)| self.answers[f * n + g]) else {
             return false;
         };
-        let curves = triple.map(|curve| &self.curves[curve]);
-        let from = curves.iter().map(|curve| curve.start.x).fold(f64::NEG_INFINITY, f64::max);
-        let to = curves.iter().map(|curve| curve.end.x).fold(f64::INFINITY, f64::min);
-        let turns = |hi: bool, ij: bool, hj: bool| hi == ij && hi != hj;
-        if [&hi, &ij, &hj].iter().all(|answer| answer.points().is_empty()) {
-            return from < to && turns(hi.below, ij.below, hj.below);
-        }
-        let changes = [&hi, &ij, &hj].into_iter().flat_map(|answer| answer.points()).map(|moment| moment.at.x);
-        let mut places: Vec<f64> = changes.filter(|x| from < *x && *x < to).chain([from, to]).collect();
-        places.sort_by(f64::total_cmp);
+        let [from, to] = self.common(triple);
+        let during = |moment: &Moment| from.compare(moment).is_lt() && moment.compare(&to).is_lt();
+        let changes = [&hi, &ij, &hj].into_iter().flat_map(|answer| answer.points()).copied();
+        let mut moments: Vec<Moment> = changes.filter(during).chain([from, to]).collect();
+        moments.sort_by(Moment::compare);
         // Between neighbours there may be no double: what has happened up to the first holds until the second.
-        places.windows(2).any(|ends| {
-            let below = |answer: &Crossings| {
-                answer.below ^ (answer.points().iter().filter(|crossing| crossing.at.x <= ends[0]).count() == 1)
-            };
-            ends[0] < ends[1] && turns(below(&hi), below(&ij), below(&hj))
+        moments.windows(2).any(|ends| {
+            let passed = |crossing: &&Moment| crossing.compare(&ends[0]).is_le();
+            let below = |answer: &Crossings| answer.below ^ (answer.points().iter().filter(passed).count() == 1);
+            ends[0].compare(&ends[1]).is_lt() && below(&hi) == below(&ij) && below(&hi) != below(&hj)
         })
+    }
+
+    /// When three curves begin to be all there, and when they end to be.
+    fn common(&self, triple: [usize; 3]) -> [Moment; 2] {
+        let curves = triple.map(|curve| &self.curves[curve]);
+        let [starts, ends] = [curves.map(|curve| curve.start), curves.map(|curve| curve.end)];
+        [
+            starts.map(Moment::from).into_iter().reduce(Moment::max),
+            ends.map(Moment::from).into_iter().reduce(Moment::min),
+        ]
+        .map(|moment| moment.expect("three curves"))
     }
 }
 
@@ -180,5 +187,35 @@ mod tests {
         assert!(off.lo >= 0.45 * step, "{off:?}");
         let four = lines(&[stair(0.0), stair(1.0), stair(2.0), stair(3.0)]);
         assert_eq!(Told::new(&four, &module).cyclic(), 2);
+    }
+    /// Of lines 0, 1 and 2 each is below the next, and 2 below 0 until the sweep has passed (0, 3).
+    struct Upright;
+
+    impl CrossingModule for Upright {
+        fn cross(&self, f: &Curve, g: &Curve) -> Crossings {
+            let (low, high) = (f.piece.min(g.piece), f.piece.max(g.piece));
+            if (low, high) == (0, 2) {
+                Crossings::at(f.piece > g.piece, &[Moment::from(DVec2::new(0.0, 3.0))])
+            } else {
+                Crossings::none(f.piece < g.piece)
+            }
+        }
+
+        fn above(&self, p: DVec2, curve: &Curve) -> f64 {
+            p.y - curve.y_at(p.x)
+        }
+
+        fn tolerance(&self) -> f64 {
+            EPS
+        }
+    }
+
+    /// All of it happens at one abscissa.
+    #[test]
+    fn a_triple_may_be_cyclic_while_the_sweep_goes_up() {
+        let pieces = lines(&[[0.0, 0.0, 1.0, 0.0], [0.0, 1.0, 1.0, 1.0], [0.0, 2.0, 1.0, 2.0]]);
+        assert_eq!(Told::new(&pieces, &Upright).cyclic(), 1);
+        let later = lines(&[[0.0, 0.0, 1.0, 0.0], [0.0, 1.0, 1.0, 1.0], [0.5, 2.0, 1.0, 2.0]]);
+        assert_eq!(Told::new(&later, &Upright).cyclic(), 0);
     }
 }

@@ -1,7 +1,8 @@
 //! A1, M8 and A4: the vertices of an arrangement, what robustness adds to its work, and the triples in cyclic order (abstract
 //! of MS reference 5; MS 4).
 //!
-//! n curves, N crossings that the module reports over all pairs, k triples in cyclic order over some abscissas, V vertices.
+//! n curves, N crossings that the module reports over all pairs, k triples in cyclic order for some part of the sweep, V
+//! vertices.
 
 use super::super::control::Control;
 use super::super::finding::Measured;

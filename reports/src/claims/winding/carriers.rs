@@ -91,20 +91,61 @@ fn farthest(input: &Input, shift: f64) -> Option<Measured> {
     let unit = unit(&case.a, &case.b);
     let b = moved(&case.b, [shift * unit, 0.0]);
     let shape = |region: &Region| Shape::new(&plain(region)).ok();
-    let carriers: Vec<Piece> = sums(&shape(&case.a)?, &shape(&b)?).iter().map(|s| s.curve.at(FINE).clone()).collect();
+    let [first, second] = [shape(&case.a)?, shape(&b)?];
+    let carriers: Vec<Piece> = sums(&first, &second).iter().map(|s| s.curve.at(FINE).clone()).collect();
+    let in_eps = |bracket: [f64; 2]| bracket.map(|d| d / (unit * 0.5 * f64::EPSILON));
+    let off = |edge: &Piece| {
+        let [lo, hi] = in_eps(distance(edge, &carriers, NEAR * unit));
+        if hi <= BOUND {
+            return Measured::between(lo, hi);
+        }
+        // An edge of a bubble may be part of a sum segment that bounds no sum.
+        let inside = in_eps(distance(edge, &inner(&first, &second), f64::INFINITY));
+        Measured::between(lo.min(inside[0]), hi.min(inside[1]))
+    };
     let mut worst = Measured::exactly(0.0);
     for convolution in [Convolution::Kinetic, Convolution::Monotonic] {
         let result = sum(&case.a, &case.b, &Options { convolution, ..Options::default() }).ok()?.region;
-        let result = shape(&result)?;
-        for side in result.sides() {
+        for side in shape(&result)?.sides() {
             let edge = side.curve.at(FINE);
-            let [lo, hi] = distance(edge, &carriers, NEAR * unit).map(|d| d / (unit * 0.5 * f64::EPSILON));
-            if (lo, hi) > (worst.lo, worst.hi) {
-                worst = Measured::between(lo, hi).at(edge.from.nearest().into());
+            let found = off(edge);
+            if (found.lo, found.hi) > (worst.lo, worst.hi) {
+                worst = found.at(edge.from.nearest().into());
             }
         }
     }
     Some(worst)
+}
+
+/// The lines and circles of all sum segments, also of those that lie inside of the sum because a vertex or an arc is concave, and
+/// of more: every side moved by every vertex, every line by the arcs' points with its normal, every two circles together.
+fn inner(a: &Shape, b: &Shape) -> Vec<Piece> {
+    let edges = |shape: &Shape| shape.sides().map(|side| side.curve.at(FINE).clone()).collect::<Vec<Piece>>();
+    let [a, b] = [edges(a), edges(b)];
+    let mut all = Vec::new();
+    for (f, g) in a.iter().flat_map(|f| b.iter().map(move |g| (f, g))) {
+        all.extend([f.moved(&g.from), g.moved(&f.from)]);
+        match (&f.circle, &g.circle) {
+            (None, None) => {}
+            (None, Some(circle)) => all.push(f.moved(&facing(circle, f))),
+            (Some(circle), None) => all.push(g.moved(&facing(circle, g))),
+            (Some(c), Some(d)) => all.push(Piece { circle: Some(added(c, d)), ..f.clone() }),
+        }
+    }
+    all
+}
+
+/// The point of an arc's circle where its outward normal is that of a line.
+fn facing(circle: &Circle, line: &Piece) -> Vector {
+    let inward = line.chord().unit().left();
+    let out = &inward * &circle.radius;
+    if circle.left { &circle.centre - &out } else { &circle.centre + &out }
+}
+
+/// The centres and the radii added; that of a concave arc is negative.
+fn added(c: &Circle, d: &Circle) -> Circle {
+    let radius = if c.left == d.left { &c.radius + &d.radius } else { (&c.radius - &d.radius).abs() };
+    Circle { centre: &c.centre + &d.centre, radius, left: true }
 }
 
 /// Whether the exact sum closes. That of a boundary that crosses itself does not, and [`validate`] lets pass what does so within
