@@ -8,7 +8,7 @@
 //! * the arrangement's error as MS 4.3 bound it, 4 eps (1 + k m) for m sum segments of which k were found out of order,
 //!   with the constant of the memo (M14); or as it is, certified ([`arcsum_oracle::perturbation`]);
 //! * for the monotonic convolution, the error of the sweeps that merge envelopes (MS 6, 6.1), another 4 eps;
-//! * the rounding of the result to doubles in input units.
+//! * the rounding of the result to doubles in input units, and of the half sweeps and bulges of its arcs.
 
 use super::super::control::Control;
 use super::super::draw::{self, input};
@@ -24,7 +24,7 @@ use crate::cases::radial::noise;
 use crate::cases::rng::Rng;
 use crate::cases::shape;
 use crate::kept;
-use arcsum::region::Region;
+use arcsum::region::{Curve, Node, Region};
 use arcsum::sum::{Convolution, Options, Sum, sum};
 use arcsum_oracle::certified::realize::realize;
 use arcsum_oracle::certified::reference::Reference;
@@ -169,13 +169,31 @@ impl<'a> Realized<'a> {
     }
 }
 
+/// Roundings in the half sweep of an arc of the result: the sine of the whole piece, two lengths, their quotient, the product,
+/// the arc sine, and the sum of up to three parts, with one unit in the last place for a function of the library.
+const HALF_SWEEP: f64 = 9.0;
+/// Roundings in the tangent that makes its bulge.
+const TANGENT: f64 = 2.0;
+
 /// The rounding of the ends of sum segments and of the result, in the unit box.
 fn roundings(sum: &Sum, unit: f64) -> f64 {
     let last_place = |size: f64| size.next_up() - size;
     let ends = sum.convolution.points.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
     let result = sum.region.loops.iter().flatten().map(|n| n.x.abs().max(n.y.abs())).fold(0.0, f64::max);
     // Half a unit in the last place of each coordinate.
-    0.5 * std::f64::consts::SQRT_2 * (last_place(ends) + last_place(result) / unit)
+    0.5 * std::f64::consts::SQRT_2 * (last_place(ends) + last_place(result) / unit) + bent(&sum.region) / unit
+}
+
+/// How far the roundings of a half sweep d and of the bulge b = tan(d / 2) move the middle of an arc over a chord c, which is
+/// b c / 2 off the chord: the most for any arc of a result.
+fn bent(result: &Region) -> f64 {
+    let arc = |(from, to): (&Node, &Node)| {
+        let Curve::Bulge(b) = from.curve else { return 0.0 };
+        let relative = TANGENT * b.abs() + 0.5 * (1.0 + b * b) * HALF_SWEEP * 2.0 * libm::atan(b.abs());
+        0.5 * libm::hypot(to.x - from.x, to.y - from.y) * EPS * relative
+    };
+    let sides = |nodes: &Vec<Node>| nodes.iter().zip(nodes.iter().cycle().skip(1)).map(arc).fold(0.0, f64::max);
+    result.loops.iter().map(sides).fold(0.0, f64::max)
 }
 
 /// The error of the arrangement as MS bound it, in the unit box.
